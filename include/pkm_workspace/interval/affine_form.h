@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "pkm_workspace/interval/interval.h"
+#include "pkm_workspace/interval/rounding.h"
+
+namespace pkm_workspace
+{
+/// The set of functions f over delta in [-1, 1]^3 with |f(delta) - (center + gradient . delta)| <= radius.
+///
+/// Guaranteed: if f and g are members of two forms, then f op g is a member of the result of op; rounding errors of any mode
+/// are part of the radius (each operation relative to its magnitude, see rounding::roundoff). Overestimation is of second order
+/// in the gradients. No branches, no allocation; Real is double or a multi-precision type.
+template <class Real>
+struct AffineForm
+{
+  Real center = Real(0);
+  std::array<Real, 3> gradient = { Real(0), Real(0), Real(0) };
+  Real radius = Real(0);
+
+  /// Sum of the gradient's magnitudes, rounded: the linear part stays within it, up to the rounding that range() adds.
+  Real swing() const
+  {
+    using std::abs;
+    return abs(gradient[0]) + abs(gradient[1]) + abs(gradient[2]);
+  }
+  /// An approximate bound on |f|: enough for bounding roundings, which are blown up by more than its own error.
+  Real magnitude() const
+  {
+    using std::abs;
+    return abs(center) + swing() + radius;
+  }
+  /// Upper and lower bounds of f over the cube.
+  Real upper() const { return center + spread(); }
+  Real lower() const { return center - spread(); }
+  /// A bound, rounding of the caller's next addition to center included, of |f - center|.
+  Real spread() const
+  {
+    return swing() + radius + Real(8) * rounding::roundoff<Real>() * magnitude() + rounding::underflow<Real>();
+  }
+};
+
+namespace affine
+{
+/// Adds to a radius what @p operations roundings on numbers of at most @p magnitude can cost, its own summation included.
+template <class Real>
+inline Real widened(Real radius, Real magnitude, int operations)
+{
+  const Real unit = rounding::roundoff<Real>();
+  return radius * (Real(1) + Real(32) * unit) + Real(operations) * unit * magnitude + rounding::underflow<Real>();
+}
+}  // namespace affine
+
+/// A number that is known by a double and a bound on its error.
+template <class Real>
+struct Enclosed
+{
+  Real value = Real(0);
+  Real radius = Real(0);
+
+  Enclosed() = default;
+  explicit Enclosed(const Interval& x) : value(x.mid()), radius(x.radius()) {}
+};
+
+template <class Real>
+inline AffineForm<Real> operator-(const AffineForm<Real>& a)
+{
+  return { -a.center, { -a.gradient[0], -a.gradient[1], -a.gradient[2] }, a.radius };
+}
+
+template <class Real>
+inline AffineForm<Real> operator+(const AffineForm<Real>& a, const AffineForm<Real>& b)
+{
+  AffineForm<Real> sum;
+  sum.center = a.center + b.center;
+  for (std::size_t j = 0; j < 3; ++j)
+    sum.gradient[j] = a.gradient[j] + b.gradient[j];
+  sum.radius = affine::widened(a.radius + b.radius, a.magnitude() + b.magnitude(), 4);
+  return sum;
+}
+
+template <class Real>
+inline AffineForm<Real> operator-(const AffineForm<Real>& a, const AffineForm<Real>& b)
+{
+  return a + (-b);
+}
+
+/// Encloses f + s.
+template <class Real>
+inline AffineForm<Real> operator+(AffineForm<Real> a, const Enclosed<Real>& s)
+{
+  using std::abs;
+  a.radius = affine::widened(a.radius + s.radius, abs(a.center) + abs(s.value), 4);
+  a.center = a.center + s.value;
+  return a;
+}
+
+/// Encloses s f.
+template <class Real>
+inline AffineForm<Real> operator*(const Enclosed<Real>& s, const AffineForm<Real>& a)
+{
+  using std::abs;
+  AffineForm<Real> product;
+  product.center = s.value * a.center;
+  for (std::size_t j = 0; j < 3; ++j)
+    product.gradient[j] = s.value * a.gradient[j];
+  const Real magnitude = a.magnitude();
+  product.radius = affine::widened(abs(s.value) * a.radius + s.radius * magnitude, abs(s.value) * magnitude, 4);
+  return product;
+}
+
+/// Encloses f g. The squares delta_j^2 lie in [0, 1], so half of their coefficient moves into the center.
+template <class Real>
+inline AffineForm<Real> operator*(const AffineForm<Real>& a, const AffineForm<Real>& b)
+{
+  using std::abs;
+  AffineForm<Real> product;
+  Real shift = Real(0);
+  Real squares = Real(0);
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    product.gradient[j] = a.center * b.gradient[j] + b.center * a.gradient[j];
+    shift = shift + a.gradient[j] * b.gradient[j];
+    squares = squares + abs(a.gradient[j] * b.gradient[j]);
+  }
+  Real mixed = Real(0);
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t k = j + 1; k < 3; ++k)
+      mixed = mixed + abs(a.gradient[j] * b.gradient[k] + a.gradient[k] * b.gradient[j]);
+  product.center = a.center * b.center + shift / Real(2);
+  const Real magnitude_a = a.magnitude();
+  const Real magnitude_b = b.magnitude();
+  const Real radius = squares / Real(2) + mixed + a.radius * magnitude_b + b.radius * magnitude_a;
+  product.radius = affine::widened(radius, magnitude_a * magnitude_b, 16);
+  return product;
+}
+
+/// Encloses sqrt(f) wherever f >= floor; where f < floor nothing is said, and where that is everywhere the result has no
+/// meaning. It is the chord of the square root over the range of f, moved to the middle of its error.
+/// @param floor >= 0 [unit of f]
+template <class Real>
+inline AffineForm<Real> sqrtAbove(const AffineForm<Real>& a, const Real& floor)
+{
+  using std::max;
+  using std::sqrt;
+  const Real low = sqrt(max(a.lower(), floor));
+  const Real high = max(sqrt(max(a.upper(), floor)), low) + rounding::underflow<Real>();
+  const Real sum = low + high;
+  const Real slope = Real(1) / sum;
+  const Real half_gap = (high - low) * (high - low) / (Real(8) * sum);
+  AffineForm<Real> root;
+  root.center = a.center * slope + (low * high * slope + half_gap);
+  for (std::size_t j = 0; j < 3; ++j)
+    root.gradient[j] = a.gradient[j] * slope;
+  root.radius = affine::widened(a.radius * slope + half_gap, high + a.magnitude() * slope, 32);
+  return root;
+}
+}  // namespace pkm_workspace

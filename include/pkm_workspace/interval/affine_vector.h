@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "pkm_workspace/interval/affine_form.h"
+#include "pkm_workspace/interval/box.h"
+
+namespace pkm_workspace
+{
+/// A box as center + half_widths * delta, delta in [-1, 1]^3, rounded outward.
+template <class Real>
+struct CenteredBox
+{
+  std::array<Real, 3> center;
+  std::array<Real, 3> half_widths;
+
+  CenteredBox() = default;
+  explicit CenteredBox(const Box& box)
+  {
+    const Eigen::Vector3d middle = box.center();
+    for (int j = 0; j < 3; ++j)
+    {
+      center[static_cast<std::size_t>(j)] = middle[j];
+      // each difference is rounded once; the factor covers that in every mode
+      const double half = std::max(box.upper[j] - middle[j], middle[j] - box.lower[j]);
+      half_widths[static_cast<std::size_t>(j)] = half * (1.0 + 4.0 * rounding::roundoff<double>());
+    }
+  }
+};
+
+/// A constant vector or matrix in doubles with one bound on the error of every entry.
+template <class Real>
+struct EnclosedVector
+{
+  std::array<Real, 3> value;
+  Real radius = Real(0);
+
+  EnclosedVector() = default;
+  explicit EnclosedVector(const IntervalVector& v)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      value[k] = v[k].mid();
+      radius = std::max(radius, Real(v[k].radius()));
+    }
+  }
+};
+
+template <class Real>
+struct EnclosedMatrix
+{
+  std::array<std::array<Real, 3>, 3> value;
+  Real radius = Real(0);
+  Real magnitude = Real(0);  ///< a bound on every entry
+
+  EnclosedMatrix() = default;
+  explicit EnclosedMatrix(const IntervalMatrix& m)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        value[i][k] = m[i][k].mid();
+        radius = std::max(radius, Real(m[i][k].radius()));
+        magnitude = std::max(magnitude, Real(m[i][k].magnitude()));
+      }
+  }
+};
+
+/// A vector-valued affine form: component k lies within center_k + linear_k . delta + [-along, along] axis_k + [-radius, radius],
+/// with one and the same member of [-along, along] for all components.
+template <class Real>
+struct AffineVector
+{
+  std::array<Real, 3> center;
+  std::array<std::array<Real, 3>, 3> linear;  ///< [component][delta]
+  Real radius = Real(0);
+  Real along = Real(0);
+  std::array<Real, 3> axis = { Real(0), Real(0), Real(0) };
+
+  /// An approximate bound on the sum of the components' magnitudes, without the errors.
+  Real magnitude() const
+  {
+    using std::abs;
+    Real sum = Real(0);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum = sum + (abs(center[k]) + (abs(linear[k][0]) + abs(linear[k][1]) + abs(linear[k][2])));
+    return sum;
+  }
+};
+
+namespace affine
+{
+/// |axis . v| over the cube, errors of v left out: roundings are the caller's.
+template <class Real>
+inline Real reach(const std::array<Real, 3>& axis, const AffineVector<Real>& v)
+{
+  using std::abs;
+  Real bound = abs(axis[0] * v.center[0] + axis[1] * v.center[1] + axis[2] * v.center[2]);
+  for (std::size_t j = 0; j < 3; ++j)
+    bound = bound + abs(axis[0] * v.linear[0][j] + axis[1] * v.linear[1][j] + axis[2] * v.linear[2][j]);
+  return bound;
+}
+
+template <class Real>
+inline Real sumOfMagnitudes(const std::array<Real, 3>& v)
+{
+  using std::abs;
+  return abs(v[0]) + abs(v[1]) + abs(v[2]);
+}
+
+/// What the error terms of two vectors can change in their dot product, roundings left out.
+template <class Real>
+inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, const Real& size_u, const Real& size_v)
+{
+  const Real axis_u = sumOfMagnitudes(u.axis);
+  const Real axis_v = sumOfMagnitudes(v.axis);
+  const Real isotropic = u.radius * (size_v + v.along * axis_v) + v.radius * (size_u + u.along * axis_u) +
+                         Real(3) * u.radius * v.radius;
+  using std::abs;
+  const Real axes = abs(u.axis[0] * v.axis[0] + u.axis[1] * v.axis[1] + u.axis[2] * v.axis[2]);
+  return isotropic + u.along * reach(u.axis, v) + v.along * reach(v.axis, u) + u.along * v.along * axes;
+}
+}  // namespace affine
+
+/// Encloses M (p - c) for p in the box.
+template <class Real>
+inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const CenteredBox<Real>& box)
+{
+  const std::array<Real, 3> x = { box.center[0] - c.value[0], box.center[1] - c.value[1], box.center[2] - c.value[2] };
+  AffineVector<Real> image;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    image.center[k] = m.value[k][0] * x[0] + m.value[k][1] * x[1] + m.value[k][2] * x[2];
+    for (std::size_t j = 0; j < 3; ++j)
+      image.linear[k][j] = m.value[k][j] * box.half_widths[j];
+  }
+  const Real size = affine::sumOfMagnitudes(x) + affine::sumOfMagnitudes(box.half_widths);
+  image.radius = affine::widened(m.radius * size + Real(3) * (m.magnitude + m.radius) * c.radius, m.magnitude * size, 16);
+  return image;
+}
+
+/// Encloses u . v. The products of two deltas are summed over the components before they are bounded.
+template <class Real>
+inline AffineForm<Real> dot(const AffineVector<Real>& u, const AffineVector<Real>& v)
+{
+  using std::abs;
+  AffineForm<Real> result;
+  Real center = u.center[0] * v.center[0] + u.center[1] * v.center[1] + u.center[2] * v.center[2];
+  std::array<std::array<Real, 3>, 3> p;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    result.gradient[j] = (u.center[0] * v.linear[0][j] + v.center[0] * u.linear[0][j]) +
+                         (u.center[1] * v.linear[1][j] + v.center[1] * u.linear[1][j]) +
+                         (u.center[2] * v.linear[2][j] + v.center[2] * u.linear[2][j]);
+    for (std::size_t l = 0; l < 3; ++l)
+      p[j][l] = u.linear[0][j] * v.linear[0][l] + u.linear[1][j] * v.linear[1][l] + u.linear[2][j] * v.linear[2][l];
+  }
+  const Real half = Real(1) / Real(2);
+  result.center = center + half * (p[0][0] + p[1][1] + p[2][2]);
+  const Real quadratic = half * (abs(p[0][0]) + abs(p[1][1]) + abs(p[2][2])) + abs(p[0][1] + p[1][0]) +
+                         abs(p[0][2] + p[2][0]) + abs(p[1][2] + p[2][1]);
+  const Real size_u = u.magnitude();
+  const Real size_v = v.magnitude();
+  const Real unit = rounding::roundoff<Real>();
+  const Real error = affine::dotError(u, v, size_u * (Real(1) + Real(32) * unit), size_v * (Real(1) + Real(32) * unit));
+  // 32: the bound `reach` sums signed products, each rounded relative to size * axis
+  result.radius = affine::widened(quadratic + error, size_u * size_v, 32) +
+                  Real(32) * unit * (u.along * affine::sumOfMagnitudes(u.axis) * size_v +
+                                     v.along * affine::sumOfMagnitudes(v.axis) * size_u);
+  return result;
+}
+
+/// Encloses v + f a for a form f and a constant vector a; the radius of f goes along a.
+/// @pre v has no error along an axis yet
+template <class Real>
+inline AffineVector<Real> addAlong(AffineVector<Real> v, const AffineForm<Real>& f, const EnclosedVector<Real>& a)
+{
+  Real size = Real(0);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    using std::abs;
+    size = size + abs(v.center[k]);
+    v.center[k] = v.center[k] + f.center * a.value[k];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      size = size + abs(v.linear[k][j]);
+      v.linear[k][j] = v.linear[k][j] + f.gradient[j] * a.value[k];
+    }
+  }
+  const Real magnitude = f.magnitude();
+  v.radius = affine::widened(v.radius + a.radius * magnitude, size + magnitude * affine::sumOfMagnitudes(a.value), 8);
+  v.along = f.radius;
+  v.axis = a.value;
+  return v;
+}
+
+/// One component as a scalar form.
+template <class Real>
+inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
+{
+  using std::abs;
+  AffineForm<Real> form;
+  form.center = v.center[k];
+  form.gradient = v.linear[k];
+  form.radius = affine::widened(v.radius + v.along * abs(v.axis[k]), Real(0), 0);
+  return form;
+}
+
+/// Encloses det [u; v; w].
+template <class Real>
+inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVector<Real>& v, const AffineVector<Real>& w)
+{
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return component(v, i) * component(w, j) - component(v, j) * component(w, i);
+  };
+  return component(u, 0) * minor(1, 2) + component(u, 1) * minor(2, 0) + component(u, 2) * minor(0, 1);
+}
+}  // namespace pkm_workspace

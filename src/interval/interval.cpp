@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/interval/interval.h"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+using MpfrFunction = int (*)(mpfr_t, const mpfr_t, mpfr_rnd_t);
+
+double evaluate(MpfrFunction function, double argument, mpfr_rnd_t direction)
+{
+  mpfr_t x;
+  mpfr_init2(x, std::numeric_limits<double>::digits);
+  mpfr_set_d(x, argument, MPFR_RNDN);  // exact: x has the digits of a double
+  function(x, x, direction);
+  const double value = mpfr_get_d(x, direction);
+  mpfr_clear(x);
+  return value;
+}
+
+Interval enclose(MpfrFunction function, double argument)
+{
+  return Interval(evaluate(function, argument, MPFR_RNDD), evaluate(function, argument, MPFR_RNDU));
+}
+}  // namespace
+
+Interval::Interval(double value) : Interval(value, value) {}
+
+Interval::Interval(double lower, double upper) : lower_(lower), upper_(upper)
+{
+  if (lower <= upper)
+    return;
+  std::ostringstream text;
+  text << std::setprecision(17) << "an interval needs lower <= upper, got [" << lower << ", " << upper << "]";
+  throw std::invalid_argument(text.str());
+}
+
+Interval Interval::empty()
+{
+  return Interval(Unchecked{}, INF, -INF);
+}
+
+Interval Interval::entire()
+{
+  return Interval(-INF, INF);
+}
+
+bool Interval::isBounded() const
+{
+  return std::isfinite(lower_) && std::isfinite(upper_);
+}
+
+double Interval::mid() const
+{
+  return std::min(std::max(lower_ / 2 + upper_ / 2, lower_), upper_);
+}
+
+double Interval::width() const
+{
+  return isEmpty() ? 0.0 : rounding::add(upper_, -lower_).upper;
+}
+
+double Interval::radius() const
+{
+  if (isEmpty())
+    return 0.0;
+  const double middle = mid();
+  return std::max(rounding::add(upper_, -middle).upper, rounding::add(middle, -lower_).upper);
+}
+
+double Interval::magnitude() const
+{
+  return std::max(std::abs(lower_), std::abs(upper_));
+}
+
+double Interval::mignitude() const
+{
+  return contains(0.0) ? 0.0 : std::min(std::abs(lower_), std::abs(upper_));
+}
+
+bool Interval::isSubsetOf(const Interval& other) const
+{
+  return isEmpty() || (other.lower_ <= lower_ && upper_ <= other.upper_);
+}
+
+bool Interval::intersects(const Interval& other) const
+{
+  return !isEmpty() && !other.isEmpty() && lower_ <= other.upper_ && other.lower_ <= upper_;
+}
+
+bool operator==(const Interval& a, const Interval& b)
+{
+  return (a.isEmpty() && b.isEmpty()) || (a.lower_ == b.lower_ && a.upper_ == b.upper_);
+}
+
+Interval operator-(const Interval& x)
+{
+  return x.isEmpty() ? x : Interval(-x.upper(), -x.lower());
+}
+
+Interval operator+(const Interval& x, const Interval& y)
+{
+  if (x.isEmpty() || y.isEmpty())
+    return Interval::empty();
+  return Interval(rounding::add(x.lower(), y.lower()).lower, rounding::add(x.upper(), y.upper()).upper);
+}
+
+Interval operator-(const Interval& x, const Interval& y)
+{
+  return x + (-y);
+}
+
+Interval operator*(const Interval& x, const Interval& y)
+{
+  if (x.isEmpty() || y.isEmpty())
+    return Interval::empty();
+  const rounding::Bounds products[] = { rounding::multiply(x.lower(), y.lower()), rounding::multiply(x.lower(), y.upper()),
+                                        rounding::multiply(x.upper(), y.lower()), rounding::multiply(x.upper(), y.upper()) };
+  double lower = INF;
+  double upper = -INF;
+  for (const auto& product : products)
+  {
+    lower = std::min(lower, product.lower);
+    upper = std::max(upper, product.upper);
+  }
+  return Interval(lower, upper);
+}
+
+Interval operator/(const Interval& x, const Interval& y)
+{
+  if (x.isEmpty() || y.isEmpty())
+    return Interval::empty();
+  if (y.contains(0.0))
+    throw std::domain_error("division by an interval that contains 0");
+  Interval result = Interval::empty();
+  for (const double numerator : { x.lower(), x.upper() })
+    for (const double denominator : { y.lower(), y.upper() })
+    {
+      if (std::isinf(numerator) && std::isinf(denominator))
+        return Interval::entire();
+      const rounding::Bounds quotient = rounding::divide(numerator, denominator);
+      result = hull(result, Interval(quotient.lower, quotient.upper));
+    }
+  return result;
+}
+
+Interval sqr(const Interval& x)
+{
+  if (x.isEmpty())
+    return x;
+  const double small = x.mignitude();
+  const double large = x.magnitude();
+  return Interval(std::max(0.0, rounding::multiply(small, small).lower), rounding::multiply(large, large).upper);
+}
+
+Interval sqrt(const Interval& x)
+{
+  if (x.isEmpty())
+    return x;
+  if (x.lower() < 0.0)
+    throw std::domain_error("square root of an interval that reaches below 0");
+  return Interval(rounding::squareRoot(x.lower()).lower, rounding::squareRoot(x.upper()).upper);
+}
+
+Interval abs(const Interval& x)
+{
+  return x.isEmpty() ? x : Interval(x.mignitude(), x.magnitude());
+}
+
+Interval sin(double angle)
+{
+  return enclose(mpfr_sin, angle);
+}
+
+Interval cos(double angle)
+{
+  return enclose(mpfr_cos, angle);
+}
+
+Interval hull(const Interval& x, const Interval& y)
+{
+  if (x.isEmpty() || y.isEmpty())
+    return x.isEmpty() ? y : x;
+  return Interval(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper()));
+}
+
+Interval intersection(const Interval& x, const Interval& y)
+{
+  if (!x.intersects(y))
+    return Interval::empty();
+  return Interval(std::max(x.lower(), y.lower()), std::min(x.upper(), y.upper()));
+}
+
+std::ostream& operator<<(std::ostream& stream, const Interval& x)
+{
+  if (x.isEmpty())
+    return stream << "[empty]";
+  const auto precision = stream.precision(17);
+  stream << '[' << x.lower() << ", " << x.upper() << ']';
+  stream.precision(precision);
+  return stream;
+}
+}  // namespace pkm_workspace
