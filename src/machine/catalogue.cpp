@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/machine/catalogue.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+void requirePositiveLength(double length)
+{
+  if (length > 0.0 && length < std::numeric_limits<double>::infinity())
+    return;
+  std::ostringstream text;
+  text.precision(17);
+  text << "strut length L = " << length << " m must be positive and finite";
+  throw std::invalid_argument(text.str());
+}
+}  // namespace
+
+Machine orthoglide(double length)
+{
+  requirePositiveLength(length);
+  Machine::Legs legs;
+  const char* const joints[] = { "rail_x", "rail_y", "rail_z" };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    legs[i].joint = joints[i];
+    legs[i].axis = { 0.0, 0.0, 0.0 };
+    legs[i].axis[i] = 1.0;
+    legs[i].origin = Interval(-length) * legs[i].axis;
+    legs[i].platform = { 0.0, 0.0, 0.0 };
+    legs[i].length = length;
+  }
+  return Machine("orthoglide", legs, Eigen::Vector3d::Zero());
+}
+
+Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, double length)
+{
+  requirePositiveLength(length);
+  const Interval offset = rail_radius - platform_radius;
+  if (!offset.certainlyPositive() || !(offset.upper() < length))
+  {
+    std::ostringstream text;
+    text << "R - r = " << offset << " m must lie between 0 and the strut length L = " << length << " m";
+    throw std::invalid_argument(text.str());
+  }
+  const Interval half = Interval(1.0) / Interval(2.0);
+  const Interval sine = sqrt(Interval(3.0)) * half;
+  const IntervalVector directions[] = { { 1.0, 0.0, 0.0 }, { -half, sine, 0.0 }, { -half, -sine, 0.0 } };
+  Machine::Legs legs;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    legs[i].joint = "rail_" + std::to_string(i + 1);
+    legs[i].axis = { 0.0, 0.0, 1.0 };
+    legs[i].origin = rail_radius * directions[i];
+    legs[i].platform = platform_radius * directions[i];
+    legs[i].length = length;
+    legs[i].working_mode = -1;
+  }
+  const double depth = sqrt(sqr(Interval(length)) - sqr(offset)).mid();
+  return Machine("uranesx", legs, Eigen::Vector3d(0.0, 0.0, -depth));
+}
+
+Machine uranesx()
+{
+  return uranesx(Interval(7.0) / Interval(13.0), Interval(3.0) / Interval(26.0));
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/machine/machine.h"
+
+#include <algorithm>
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+bool isBounded(const IntervalVector& v)
+{
+  return v[0].isBounded() && v[1].isBounded() && v[2].isBounded();
+}
+
+IntervalMatrix projectorAcross(const IntervalVector& axis)
+{
+  IntervalMatrix projector;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+      const Interval product = row == column ? sqr(axis[row]) : axis[row] * axis[column];
+      projector[row][column] = Interval(row == column ? 1.0 : 0.0) - product;
+    }
+  return projector;
+}
+
+/// Collects what is wrong with one leg by itself.
+void validateLeg(const Leg& leg, const std::string& place, std::ostream& problems)
+{
+  problems.precision(17);
+  if (!isBounded(leg.origin) || !isBounded(leg.platform) || !isBounded(leg.axis))
+    problems << place << ": rail origin, axis and platform point must be finite numbers\n";
+  else if (!squaredNorm(leg.axis).contains(1.0))
+    problems << place << ": the axis must have unit length, its squared length is " << squaredNorm(leg.axis) << "\n";
+  if (!leg.length.isBounded() || !leg.length.certainlyPositive())
+    problems << place << ": strut length " << leg.length << " m must be positive and finite\n";
+  if (leg.working_mode != 1 && leg.working_mode != -1)
+    problems << place << ": working mode " << leg.working_mode << " must be +1 or -1\n";
+  if (leg.limits.isEmpty())
+    problems << place << ": the joint limits leave no value\n";
+}
+
+void throwIfAny(const std::string& machine, const std::ostringstream& problems)
+{
+  if (!problems.str().empty())
+    throw std::invalid_argument("machine '" + machine + "' is refused:\n" + problems.str());
+}
+
+/// The certain sign of det A at the zero configuration. @throws std::invalid_argument where there is none
+int aspectAt(const Machine& machine)
+{
+  std::ostringstream problems;
+  problems.precision(17);
+  const auto& zero = machine.zero();
+  const auto configuration = configurationAt(machine, zero);
+  if (!configuration)
+    problems << "zero configuration: a strut does not reach the tool point (" << zero.transpose() << ") m\n";
+  else
+  {
+    for (int i = 0; i < 3; ++i)
+      if (configuration->eta[static_cast<std::size_t>(i)].contains(0.0))
+        problems << "leg '" << machine.leg(i).joint << "': its strut is across its rail at zero (serial singularity)\n";
+    if (configuration->det_a.contains(0.0))
+      problems << "zero configuration: the struts lie in parallel planes, det A = 0 (parallel singularity)\n";
+  }
+  throwIfAny(machine.name(), problems);
+  return configuration->det_a.certainlyPositive() ? 1 : -1;
+}
+}  // namespace
+
+Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
+  : name_(std::move(name)), legs_(std::move(legs)), zero_(zero)
+{
+  std::ostringstream problems;
+  for (const auto& leg : legs_)
+    validateLeg(leg, "leg '" + leg.joint + "'", problems);
+  if (!zero.allFinite())
+    problems << "zero configuration: the tool point must be finite numbers\n";
+  throwIfAny(name_, problems);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    centers_[i] = legs_[i].origin - legs_[i].platform;
+    projectors_[i] = projectorAcross(legs_[i].axis);
+  }
+  aspect_ = aspectAt(*this);
+}
+
+bool Machine::hasParallelRails() const
+{
+  const auto parallel = [](const IntervalVector& a, const IntervalVector& b) {
+    const IntervalVector opposite{ -b[0], -b[1], -b[2] };
+    return a == b || a == opposite;
+  };
+  return parallel(legs_[0].axis, legs_[1].axis) && parallel(legs_[0].axis, legs_[2].axis);
+}
+
+bool Machine::hasJointLimits() const
+{
+  return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.limits != Interval::entire(); });
+}
+
+double Machine::scale() const
+{
+  return std::max({ legs_[0].length.upper(), legs_[1].length.upper(), legs_[2].length.upper() });
+}
+
+std::string Machine::geometryHash() const
+{
+  std::ostringstream text;
+  text << std::hexfloat << "pkm_workspace geometry 1 aspect " << aspect_;
+  const auto put = [&text](const Interval& x) { text << ' ' << x.lower() << ' ' << x.upper(); };
+  for (const auto& leg : legs_)
+  {
+    text << " mode " << leg.working_mode;
+    for (const auto* vector : { &leg.origin, &leg.axis, &leg.platform })
+      std::for_each(vector->begin(), vector->end(), put);
+    put(leg.length);
+    put(leg.limits);
+  }
+  const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
+  return to_string(generate(text.str()));
+}
+}  // namespace pkm_workspace
