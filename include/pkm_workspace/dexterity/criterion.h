@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pkm_workspace
+{
+/// Collects what is wrong with a user's values; each entry is one sentence with value, unit, range and place.
+using Problems = std::vector<std::string>;
+
+/// Throws all problems as one std::invalid_argument, one a line; does nothing when there are none.
+void throwProblems(const Problems& problems);
+
+/// What is asked of every point of a region (paper, section 2.1.1). Values with defaults; validate() tells what is wrong.
+struct Criterion
+{
+  /// REACHABLE asks for the struts' reach only; DEXTROUS for bounded velocity transmission factors too.
+  enum class Set
+  {
+    DEXTROUS,
+    REACHABLE
+  };
+
+  /// Which sign of det A counts: the machine's own, the opposite one, or either of them.
+  enum class Aspect
+  {
+    OWN,
+    OTHER,
+    BOTH
+  };
+
+  Set set = Set::DEXTROUS;
+  Aspect aspect = Aspect::OWN;
+  double psi_min = 0.5;       ///< least velocity transmission factor, without unit, > 0
+  double psi_max = 2.0;       ///< largest velocity transmission factor, without unit, >= psi_min
+  bool joint_limits = false;  ///< whether the joint limits of the machine hold too
+
+  /// Appends one sentence for each value that is out of range.
+  void validate(Problems& problems) const;
+};
+}  // namespace pkm_workspace

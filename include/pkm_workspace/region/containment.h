@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/region/shape.h"
+
+namespace pkm_workspace
+{
+/// The answer about a region that somebody asks about: not the verdict on all points of a box (BoxVerdict).
+enum class Containment
+{
+  INSIDE,     ///< every point of the region satisfies the criterion, proved
+  OUTSIDE,    ///< a point of the region is proved to violate it
+  UNDECIDED,  ///< the budget or the precision of doubles ended the proof
+};
+
+struct ContainmentResult
+{
+  Containment verdict = Containment::UNDECIDED;
+  std::optional<Eigen::Vector3d> bad_point;  ///< with OUTSIDE: a point of the region that is proved to be bad [m]
+  std::int64_t boxes = 0;                    ///< boxes looked at
+};
+
+/// Whether c + h K satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.
+/// @param max_boxes budget @param stop when set, ends the proof: UNDECIDED
+ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
+                                   std::int64_t max_boxes = 1000000, const std::atomic<bool>* stop = nullptr);
+}  // namespace pkm_workspace

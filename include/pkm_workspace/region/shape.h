@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/interval/box.h"
+
+namespace pkm_workspace
+{
+/// A convex body K that contains the origin (paper, sections 2.4 and 2.5): regions are c + h K for a center c [m] and a
+/// size h > 0. The search knows bodies by this interface only. Immutable, so shared freely between threads.
+class Shape
+{
+public:
+  virtual ~Shape() = default;
+
+  /// "cube", "square", "box", ...
+  virtual std::string name() const = 0;
+  /// What one unit of size is, for people: "edge [m]", "factor on the proportions".
+  virtual std::string sizeMeaning() const = 0;
+  /// K lies within these distances of the origin along the axes; 0 where it has no thickness.
+  virtual Eigen::Vector3d halfExtents() const = 0;
+  /// Points of K, exactly in K, at which a region that is too large sticks out first.
+  virtual std::vector<Eigen::Vector3d> extremePoints() const = 0;
+  /// A smallest box of doubles that contains c + h K.
+  virtual Box boundingBox(const Eigen::Vector3d& center, double size) const = 0;
+  /// Whether no point of the box lies in c + h K; false when that is not proved.
+  virtual bool misses(const Box& box, const Eigen::Vector3d& center, double size) const = 0;
+  /// Whether the point is proved to lie in c + h K for every c in the box of centers.
+  virtual bool contains(const Eigen::Vector3d& point, const Box& centers, double size) const = 0;
+  /// The nearest point of c + h K, in floating point.
+  virtual Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
+  /// As shape_msgs/SolidPrimitive has it, rounded inward: full sides of a box [m] (square: [a, a, 0]).
+  virtual std::vector<double> dimensions(double size) const = 0;
+  /// Encloses the volume of h K [m^3]; 0 for flat shapes.
+  virtual Interval volume(double size) const = 0;
+};
+
+using ShapePtr = std::shared_ptr<const Shape>;
+
+/// Size: edge length [m].
+ShapePtr makeCube();
+/// Parallel to the plane xy, no thickness in z. Size: edge length [m].
+ShapePtr makeSquare();
+/// A box with full sides size * proportions [m]. @param proportions >= 0, at least one of them > 0, finite
+/// @throws std::invalid_argument otherwise
+ShapePtr makeBox(const Eigen::Vector3d& proportions);
+}  // namespace pkm_workspace
