@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Fails where a C++ file is not as clang-format would write it. Mend with: clang-format -i FILE
+set -euo pipefail
+cd "$1"
+command -v clang-format >/dev/null || { echo "clang-format is missing: run scripts/setup --tests" >&2; exit 1; }
+find include src test bench -name '*.h' -o -name '*.cpp' | sort | xargs -r clang-format --dry-run --Werror

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Holds the layers apart: layers.py ROOT COMPILER FLAG...
+
+Fails, naming each place, where a folder includes one that its layer does not know, where a header of the core does not
+compile on its own, or where anything below ros/ and nodes/ reaches a header of ROS.
+"""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+# Each folder, with those of its own package that it may include besides itself.
+BELOW_DEXTERITY = {"interval", "machine"}
+CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "urdf_io"}
+LAYERS = {
+    "interval": set(),
+    "machine": {"interval"},
+    "dexterity": BELOW_DEXTERITY,
+    "region": BELOW_DEXTERITY | {"dexterity"},
+    "paving": BELOW_DEXTERITY | {"dexterity"},
+    "urdf_io": BELOW_DEXTERITY,
+    "cli": CORE,
+    "ros": CORE,
+    "nodes": CORE | {"ros"},
+}
+KNOW_ROS = {"ros", "nodes"}
+OWN_INCLUDE = re.compile(r'\s*#\s*include\s+"pkm_workspace/(\w+)/')
+ROS_HEADER = re.compile(r"/(ros|roscpp\w*|tf2\w*|actionlib\w*|diagnostic_\w+|interactive_markers|\w+_(msgs|srvs))/")
+
+
+def files_of(root, folder):
+    places = (root / "include/pkm_workspace" / folder, root / "src" / folder)
+    return [path for place in places for path in sorted(place.rglob("*")) if path.suffix in (".h", ".cpp")]
+
+
+def wrong_includes(path, folder):
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        own = OWN_INCLUDE.match(line)
+        if own and own.group(1) != folder and own.group(1) not in LAYERS[folder]:
+            yield f"{path}:{number}: {folder}/ must not include {own.group(1)}/"
+
+
+def wrong_headers(path, root, compiler):
+    """Compiles a header (only looks through a source) and searches what it reached, itself and its package apart."""
+    mode = ["-fsyntax-only", "-MD", "-MF", "/dev/stdout"] if path.suffix == ".h" else ["-M"]
+    run = subprocess.run([*compiler, *mode, "-MT", "x", "-I", str(root / "include"), "-x", "c++", "-"],
+                         input=f'#include "{path}"\n', capture_output=True, text=True)
+    if run.returncode != 0:
+        yield f"{path}: does not compile on its own without ROS:\n{run.stderr}"
+    for header in run.stdout.replace("\\\n", " ").split():
+        if not header.startswith(str(root)) and ROS_HEADER.search(header):
+            yield f"{path}: reaches {header}"
+
+
+def main():
+    root, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
+    problems, checked = [], []
+    for folder in LAYERS:
+        files = files_of(root, folder)
+        problems += [problem for path in files for problem in wrong_includes(path, folder)]
+        checked += files if folder not in KNOW_ROS else []
+    if not checked:
+        sys.exit(f"{root}: no source file found")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found in pool.map(lambda path: list(wrong_headers(path, root, compiler)), checked):
+            problems += found
+    print("\n".join(problems) if problems else f"{len(checked)} files keep to their layers and know no ROS")
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
