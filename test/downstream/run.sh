@@ -8,6 +8,7 @@ prefix=$3/root$2
 work=$3
 source=$(cd "$(dirname "$0")" && pwd)
 
+export PATH=/usr/bin:$PATH # the Python of catkin
 rm -rf "$work"
 mkdir -p "$work"
 DESTDIR=$work/root cmake --install "$build" >"$work/install.log"
