@@ -33,16 +33,24 @@ Interval enclose(MpfrFunction function, double argument)
 {
   return Interval(evaluate(function, argument, MPFR_RNDD), evaluate(function, argument, MPFR_RNDU));
 }
+
+[[noreturn]] void throwDomainError(const char* operation, const Interval& operand, const char* reason)
+{
+  std::ostringstream text;
+  text << operation << operand << reason;
+  throw std::domain_error(text.str());
+}
 }  // namespace
 
 Interval::Interval(double value) : Interval(value, value) {}
 
 Interval::Interval(double lower, double upper) : lower_(lower), upper_(upper)
 {
-  if (lower <= upper)
+  if (lower <= upper && lower < INF && upper > -INF)
     return;
   std::ostringstream text;
-  text << std::setprecision(17) << "an interval needs lower <= upper, got [" << lower << ", " << upper << "]";
+  text << std::setprecision(17) << "an interval needs real numbers with lower <= upper, got [" << lower << ", " << upper
+       << "]";
   throw std::invalid_argument(text.str());
 }
 
@@ -73,8 +81,8 @@ double Interval::width() const
 
 double Interval::radius() const
 {
-  if (isEmpty())
-    return 0.0;
+  if (!isBounded())
+    return isEmpty() ? 0.0 : INF;
   const double middle = mid();
   return std::max(rounding::add(upper_, -middle).upper, rounding::add(middle, -lower_).upper);
 }
@@ -125,8 +133,10 @@ Interval operator*(const Interval& x, const Interval& y)
 {
   if (x.isEmpty() || y.isEmpty())
     return Interval::empty();
-  const rounding::Bounds products[] = { rounding::multiply(x.lower(), y.lower()), rounding::multiply(x.lower(), y.upper()),
-                                        rounding::multiply(x.upper(), y.lower()), rounding::multiply(x.upper(), y.upper()) };
+  const rounding::Bounds products[] = { rounding::multiply(x.lower(), y.lower()),
+                                        rounding::multiply(x.lower(), y.upper()),
+                                        rounding::multiply(x.upper(), y.lower()),
+                                        rounding::multiply(x.upper(), y.upper()) };
   double lower = INF;
   double upper = -INF;
   for (const auto& product : products)
@@ -142,17 +152,19 @@ Interval operator/(const Interval& x, const Interval& y)
   if (x.isEmpty() || y.isEmpty())
     return Interval::empty();
   if (y.contains(0.0))
-    throw std::domain_error("division by an interval that contains 0");
-  Interval result = Interval::empty();
+    throwDomainError("division by ", y, ", which contains 0");
+  double lower = INF;
+  double upper = -INF;
   for (const double numerator : { x.lower(), x.upper() })
     for (const double denominator : { y.lower(), y.upper() })
     {
       if (std::isinf(numerator) && std::isinf(denominator))
-        return Interval::entire();
+        continue;  // the limits with one finite end already reach from 0 to infinity
       const rounding::Bounds quotient = rounding::divide(numerator, denominator);
-      result = hull(result, Interval(quotient.lower, quotient.upper));
+      lower = std::min(lower, quotient.lower);
+      upper = std::max(upper, quotient.upper);
     }
-  return result;
+  return Interval(lower, upper);
 }
 
 Interval sqr(const Interval& x)
@@ -169,7 +181,7 @@ Interval sqrt(const Interval& x)
   if (x.isEmpty())
     return x;
   if (x.lower() < 0.0)
-    throw std::domain_error("square root of an interval that reaches below 0");
+    throwDomainError("square root of ", x, ", which reaches below 0");
   return Interval(rounding::squareRoot(x.lower()).lower, rounding::squareRoot(x.upper()).upper);
 }
 

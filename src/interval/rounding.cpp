@@ -12,7 +12,7 @@ namespace
 constexpr double MAX = std::numeric_limits<double>::max();
 constexpr double INF = std::numeric_limits<double>::infinity();
 
-/// Below this magnitude an error term may underflow, so its sign is not trusted.
+/// Below this magnitude an error term may underflow: its sign is then taken from operands scaled by powers of two.
 constexpr double SMALL = 0x1p-900;
 
 /// @param error has the sign of (exact result - rounded result)
@@ -25,10 +25,24 @@ Bounds around(double rounded, double error)
   return { std::nextafter(rounded, -INF), rounded };
 }
 
-/// For results that are tiny: an enclosure that does not rest on an error term.
-Bounds aroundTiny(double rounded)
+/// The sign of a * b - product for a product that is tiny, out of the operands' digits.
+double tinyProductError(double a, double b, double product)
 {
-  return SOUND ? Bounds{ rounded - SMALL, rounded + SMALL } : Bounds{ rounded, rounded };
+  int exponent_a = 0;
+  int exponent_b = 0;
+  const double digits_a = std::frexp(a, &exponent_a);
+  const double digits_b = std::frexp(b, &exponent_b);
+  return std::fma(digits_a, digits_b, -std::scalbn(product, -(exponent_a + exponent_b)));
+}
+
+/// The sign of a - quotient * b where a or the quotient is tiny, out of the operands' digits.
+double tinyRemainder(double a, double b, double quotient)
+{
+  int exponent_a = 0;
+  int exponent_b = 0;
+  const double digits_a = std::frexp(a, &exponent_a);
+  const double digits_b = std::frexp(b, &exponent_b);
+  return std::fma(-std::scalbn(quotient, exponent_b - exponent_a), digits_b, digits_a);
 }
 
 /// For results that overflowed from finite operands.
@@ -61,9 +75,8 @@ Bounds multiply(double a, double b)
     return { product, product };
   if (std::isinf(product))
     return overflowed(product);
-  if (std::abs(product) < SMALL)
-    return aroundTiny(product);
-  return around(product, std::fma(a, b, -product));
+  const bool is_tiny = std::abs(product) < SMALL;
+  return around(product, is_tiny ? tinyProductError(a, b, product) : std::fma(a, b, -product));
 }
 
 Bounds divide(double a, double b)
@@ -75,9 +88,8 @@ Bounds divide(double a, double b)
     return { quotient, quotient };
   if (std::isinf(quotient))
     return overflowed(quotient);
-  if (std::abs(quotient) < SMALL || std::abs(a) < SMALL)
-    return { std::nextafter(quotient, -INF) - SMALL, std::nextafter(quotient, INF) + SMALL };
-  const double remainder = std::fma(-quotient, b, a);
+  const bool is_tiny = std::abs(quotient) < SMALL || std::abs(a) < SMALL;
+  const double remainder = is_tiny ? tinyRemainder(a, b, quotient) : std::fma(-quotient, b, a);
   return around(quotient, b > 0.0 ? remainder : -remainder);
 }
 
@@ -86,9 +98,9 @@ Bounds squareRoot(double a)
   if (a == 0.0 || std::isinf(a))
     return { a, a };
   const double root = std::sqrt(a);
-  if (a < SMALL)
-    return { std::nextafter(root, 0.0), std::nextafter(root, INF) };
-  return around(root, std::fma(-root, root, a));
+  const int scale = a < SMALL ? 500 : 0;
+  const double scaled_root = std::scalbn(root, scale);
+  return around(root, std::fma(-scaled_root, scaled_root, std::scalbn(a, 2 * scale)));
 }
 
 std::string selfTest()

@@ -9,16 +9,18 @@ namespace pkm_workspace
 {
 /// A closed set of reals [lower, upper], possibly unbounded, or the empty set.
 ///
-/// Guaranteed: every operation encloses the exact results for all members of its operands, in any rounding mode and on any
-/// thread. For operations on single numbers the enclosure is the tightest that doubles allow: exact results have zero width.
-/// The empty set is reached only through empty() and intersection().
+/// Guaranteed: every operation encloses the exact results for all members of its operands, in any rounding mode and on
+/// any thread. For operations on single numbers the enclosure is the tightest that doubles allow: exact results have
+/// zero width. The empty set is reached only through empty() and intersection().
 class Interval
 {
 public:
   Interval() : Interval(0.0) {}
-  /// The single number @p value; implicit, because a double is an exact interval. @throws std::invalid_argument for NaN
+  /// The single number @p value; implicit, because a double is an exact interval.
+  /// @throws std::invalid_argument for NaN and infinities
   Interval(double value);
-  /// @throws std::invalid_argument when lower > upper or one of them is NaN
+  /// A bound may be infinite where the set has no end.
+  /// @throws std::invalid_argument when no real number lies between: lower > upper, NaN, or the same infinity twice
   Interval(double lower, double upper);
 
   static Interval empty();
@@ -65,9 +67,18 @@ Interval operator-(const Interval& x, const Interval& y);
 Interval operator*(const Interval& x, const Interval& y);
 /// @throws std::domain_error when y contains 0
 Interval operator/(const Interval& x, const Interval& y);
-inline Interval& operator+=(Interval& x, const Interval& y) { return x = x + y; }
-inline Interval& operator-=(Interval& x, const Interval& y) { return x = x - y; }
-inline Interval& operator*=(Interval& x, const Interval& y) { return x = x * y; }
+inline Interval& operator+=(Interval& x, const Interval& y)
+{
+  return x = x + y;
+}
+inline Interval& operator-=(Interval& x, const Interval& y)
+{
+  return x = x - y;
+}
+inline Interval& operator*=(Interval& x, const Interval& y)
+{
+  return x = x * y;
+}
 
 /// { a^2 : a in x }; tighter than x * x.
 Interval sqr(const Interval& x);

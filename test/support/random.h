@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace pkm_workspace
+{
+namespace test
+{
+/// How many random cases a property gets for each of its parameters: PKM_WORKSPACE_TEST_CASES, or @p by_default.
+inline int caseCount(int by_default = 100)
+{
+  const char* const text = std::getenv("PKM_WORKSPACE_TEST_CASES");
+  if (text == nullptr)
+    return by_default;
+  char* end = nullptr;
+  const long count = std::strtol(text, &end, 10);
+  if (end == text || *end != '\0' || count < 1 || count > 100000000)
+    throw std::invalid_argument("PKM_WORKSPACE_TEST_CASES = '" + std::string(text) + "' must be from 1 to 100000000");
+  return static_cast<int>(count);
+}
+
+/// Random numbers that are the same on every machine: the distributions of the standard library are not.
+class Random
+{
+public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  /// A number of [lower, upper].
+  double uniform(double lower, double upper)
+  {
+    const double fraction = static_cast<double>(engine_() >> 11) * 0x1p-53;
+    return lower + fraction * (upper - lower);
+  }
+  /// One of lower, ..., upper.
+  int integer(int lower, int upper)
+  {
+    return lower + static_cast<int>(engine_() % static_cast<std::uint64_t>(upper - lower + 1));
+  }
+  /// True once in @p times, on average.
+  bool once(int times) { return integer(1, times) == 1; }
+  double sign() { return once(2) ? -1.0 : 1.0; }
+
+private:
+  std::mt19937_64 engine_;
+};
+}  // namespace test
+}  // namespace pkm_workspace
