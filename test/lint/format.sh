@@ -4,4 +4,5 @@
 set -euo pipefail
 cd "$1"
 command -v clang-format >/dev/null || { echo "clang-format is missing: run scripts/setup --tests" >&2; exit 1; }
-find include src test bench -name '*.h' -o -name '*.cpp' | sort | xargs -r clang-format --dry-run --Werror
+find . \( -path ./build -o -path ./devel -o -path ./install \) -prune -o \( -name '*.h' -o -name '*.cpp' \) -print |
+  sort | xargs clang-format --dry-run --Werror
