@@ -9,7 +9,7 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr int MAX_PIVOTS = 200;       // far above what 5 unknowns need; ends a cycle
+constexpr int MAX_PIVOTS = 200;  // far above what 5 unknowns need; ends a cycle
 constexpr int NONE = std::numeric_limits<int>::min();
 constexpr double FEASIBILITY = 1e-13;  // relative violation that counts as none
 constexpr double PIVOT = 1e-11;        // relative weight that counts as zero

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "pkm_workspace/interval/box.h"
 
 namespace pkm_workspace
 {
@@ -12,7 +16,26 @@ using Problems = std::vector<std::string>;
 /// Throws all problems as one std::invalid_argument, one a line; does nothing when there are none.
 void throwProblems(const Problems& problems);
 
-/// What is asked of every point of a region (paper, section 2.1.1). Values with defaults; validate() tells what is wrong.
+/// Limits that any computation may be given. Values with defaults; validate() tells what is wrong.
+struct Budget
+{
+  double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
+  std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
+  int threads = 1;                          ///< 1 to 1024
+  const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
+
+  void validate(Problems& problems) const;
+  /// Whether the stop flag is set or @p seconds is past the time limit.
+  bool isOver(double seconds) const;
+};
+
+/// Appends one sentence when a box of the user's is not finite or not in order; @p name says which box.
+void validateBox(const char* name, const Box& box, Problems& problems);
+/// Appends one sentence unless the value is positive and finite.
+void validatePositive(const char* name, double value, const char* unit, Problems& problems);
+
+/// What is asked of every point of a region (paper, section 2.1.1). Values with defaults; validate() tells what is
+/// wrong.
 struct Criterion
 {
   /// REACHABLE asks for the struts' reach only; DEXTROUS for bounded velocity transmission factors too.

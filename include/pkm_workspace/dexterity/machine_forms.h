@@ -11,14 +11,15 @@
 namespace pkm_workspace
 {
 /// Everything the verdicts need to know about a machine over one box, as affine forms (design, section 3).
-/// Valid at every point of the box where no radicand is below its floor; reachable holds the radicands themselves everywhere.
+/// Valid at every point of the box where no radicand is below its floor; reachable holds the radicands themselves
+/// everywhere.
 template <class Real>
 struct MachineForms
 {
-  std::array<AffineForm<Real>, 3> radicand;   ///< eta_i^2 = L_i^2 - |q_i|^2 [m^2], valid on the whole box
-  std::array<AffineForm<Real>, 3> eta;        ///< eta_i [m]
-  std::array<AffineVector<Real>, 3> strut;    ///< d_i [m]
-  std::array<AffineForm<Real>, 3> gram;       ///< d_2 . d_3, d_1 . d_3, d_1 . d_2 [m^2]
+  std::array<AffineForm<Real>, 3> radicand;  ///< eta_i^2 = L_i^2 - |q_i|^2 [m^2], valid on the whole box
+  std::array<AffineForm<Real>, 3> eta;       ///< eta_i [m]
+  std::array<AffineVector<Real>, 3> strut;   ///< d_i [m]
+  std::array<AffineForm<Real>, 3> gram;      ///< d_2 . d_3, d_1 . d_3, d_1 . d_2 [m^2]
 };
 
 /// A machine and a criterion, prepared for the evaluation of boxes. Real is double or a multi-precision type.
@@ -31,7 +32,8 @@ public:
   MachineModel(const Machine& machine, const Criterion& criterion);
 
   const Criterion& criterion() const { return criterion_; }
-  int aspect() const { return aspect_; }
+  /// Whether the criterion asks for one sign of det A.
+  bool oriented() const { return criterion_.aspect != Criterion::Aspect::BOTH; }
   /// The square of the longest strut [m^2]: makes margins comparable between machines.
   Real squaredScale() const { return squared_scale_; }
 
@@ -39,15 +41,17 @@ public:
   MachineForms<Real> evaluate(const CenteredBox<Real>& box) const;
   /// Only L_i^2 - |q_i|^2 for leg i [m^2].
   AffineForm<Real> radicand(std::size_t leg, const AffineVector<Real>& across) const;
-  /// Below this radicand [m^2] a point does not satisfy the criterion: L_i^2 / psi_max^2, rounded down, or 0.
+  /// Where the radicand is below this [m^2] the criterion does not hold: L_i^2 / psi_max^2, rounded down, or 0.
   Real floor(std::size_t leg) const { return legs_[leg].floor; }
 
   /// S_min = A A^T - psi_min^2 B^2 [m^2].
   SymmetricForms<Real> lowerMatrix(const MachineForms<Real>& forms) const;
   /// S_max = psi_max^2 B^2 - A A^T [m^2].
   SymmetricForms<Real> upperMatrix(const MachineForms<Real>& forms) const;
-  /// det A [m^3] times the sign of the machine's aspect: positive in the machine's own aspect.
+  /// det A [m^3] times the sign that the criterion's aspect asks for: positive where the aspect is right.
   AffineForm<Real> orientation(const MachineForms<Real>& forms) const;
+  /// The same at delta = 0 only.
+  AffineForm<Real> orientationAtCenter(const MachineForms<Real>& forms) const;
   /// rho_i [m] over the box.
   AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const CenteredBox<Real>& box) const;
   /// Whether leg i has a finite lower (side = 0) or upper (side = 1) limit that the criterion asks for.
@@ -73,12 +77,10 @@ private:
 
   Criterion criterion_;
   std::array<LegModel, 3> legs_;
-  Enclosed<Real> psi_min_squared_;
   Enclosed<Real> psi_max_squared_;
   Enclosed<Real> minus_psi_min_squared_;
   Enclosed<Real> aspect_sign_;
   Real squared_scale_ = Real(1);
-  int aspect_ = 1;
 };
 
 extern template class MachineModel<double>;

@@ -8,12 +8,10 @@ namespace pkm_workspace
 template <class Real>
 MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criterion)
   : criterion_(criterion)
-  , psi_min_squared_(sqr(Interval(criterion.psi_min)))
   , psi_max_squared_(sqr(Interval(criterion.psi_max)))
   , minus_psi_min_squared_(-sqr(Interval(criterion.psi_min)))
-  , aspect_sign_(Interval(machine.aspect()))
+  , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
-  , aspect_(machine.aspect())
 {
   Problems problems;
   criterion.validate(problems);
@@ -93,6 +91,12 @@ template <class Real>
 AffineForm<Real> MachineModel<Real>::orientation(const MachineForms<Real>& forms) const
 {
   return aspect_sign_ * determinant(forms.strut[0], forms.strut[1], forms.strut[2]);
+}
+
+template <class Real>
+AffineForm<Real> MachineModel<Real>::orientationAtCenter(const MachineForms<Real>& forms) const
+{
+  return aspect_sign_ * determinant(atCenter(forms.strut[0]), atCenter(forms.strut[1]), atCenter(forms.strut[2]));
 }
 
 template <class Real>

@@ -43,7 +43,6 @@ public:
   double margin(const Eigen::Vector3d& point) const;
 
 private:
-  BoxVerdict classifyReachable(const MachineForms<double>& forms, const CenteredBox<double>& box) const;
   MachineModel<double> model_;
 };
 }  // namespace pkm_workspace

@@ -9,12 +9,13 @@
 
 namespace pkm_workspace
 {
-/// A box as center + half_widths * delta, delta in [-1, 1]^3, rounded outward.
+/// A box as center + half_widths * delta + [-slack, slack]^3 with delta in [-1, 1]^3, rounded outward.
 template <class Real>
 struct CenteredBox
 {
   std::array<Real, 3> center;
   std::array<Real, 3> half_widths;
+  Real slack = Real(0);
 
   CenteredBox() = default;
   explicit CenteredBox(const Box& box)
@@ -27,6 +28,23 @@ struct CenteredBox
       const double half = std::max(box.upper[j] - middle[j], middle[j] - box.lower[j]);
       half_widths[static_cast<std::size_t>(j)] = half * (1.0 + 4.0 * rounding::roundoff<double>());
     }
+  }
+
+  /// The box moved by size * offset; delta keeps its meaning, so that forms over both can be combined.
+  CenteredBox moved(double size, const Eigen::Vector3d& offset) const
+  {
+    using std::abs;
+    CenteredBox result(*this);
+    Real magnitude = slack;
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      const Real step = Real(size) * Real(offset[static_cast<int>(j)]);
+      result.center[j] = center[j] + step;
+      magnitude = magnitude + abs(center[j]) + abs(step);
+    }
+    result.slack = (slack + Real(4) * rounding::roundoff<Real>() * magnitude + rounding::underflow<Real>()) *
+                   (Real(1) + Real(8) * rounding::roundoff<Real>());
+    return result;
   }
 };
 
@@ -68,8 +86,8 @@ struct EnclosedMatrix
   }
 };
 
-/// A vector-valued affine form: component k lies within center_k + linear_k . delta + [-along, along] axis_k + [-radius, radius],
-/// with one and the same member of [-along, along] for all components.
+/// A vector-valued affine form: component k lies within center_k + linear_k . delta + [-along, along] axis_k +
+/// [-radius, radius], with one and the same member of [-along, along] for all components.
 template <class Real>
 struct AffineVector
 {
@@ -89,6 +107,15 @@ struct AffineVector
     return sum;
   }
 };
+
+/// The member of a vector at delta = 0, errors kept.
+template <class Real>
+inline AffineVector<Real> atCenter(AffineVector<Real> v)
+{
+  for (auto& row : v.linear)
+    row = { Real(0), Real(0), Real(0) };
+  return v;
+}
 
 namespace affine
 {
@@ -116,8 +143,8 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
 {
   const Real axis_u = sumOfMagnitudes(u.axis);
   const Real axis_v = sumOfMagnitudes(v.axis);
-  const Real isotropic = u.radius * (size_v + v.along * axis_v) + v.radius * (size_u + u.along * axis_u) +
-                         Real(3) * u.radius * v.radius;
+  const Real isotropic =
+      u.radius * (size_v + v.along * axis_v) + v.radius * (size_u + u.along * axis_u) + Real(3) * u.radius * v.radius;
   using std::abs;
   const Real axes = abs(u.axis[0] * v.axis[0] + u.axis[1] * v.axis[1] + u.axis[2] * v.axis[2]);
   return isotropic + u.along * reach(u.axis, v) + v.along * reach(v.axis, u) + u.along * v.along * axes;
@@ -126,7 +153,8 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
 
 /// Encloses M (p - c) for p in the box.
 template <class Real>
-inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const CenteredBox<Real>& box)
+inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c,
+                                 const CenteredBox<Real>& box)
 {
   const std::array<Real, 3> x = { box.center[0] - c.value[0], box.center[1] - c.value[1], box.center[2] - c.value[2] };
   AffineVector<Real> image;
@@ -137,7 +165,8 @@ inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVe
       image.linear[k][j] = m.value[k][j] * box.half_widths[j];
   }
   const Real size = affine::sumOfMagnitudes(x) + affine::sumOfMagnitudes(box.half_widths);
-  image.radius = affine::widened(m.radius * size + Real(3) * (m.magnitude + m.radius) * c.radius, m.magnitude * size, 16);
+  const Real shift = Real(3) * (m.magnitude + m.radius) * (c.radius + box.slack);
+  image.radius = affine::widened(m.radius * size + shift, m.magnitude * size, 16);
   return image;
 }
 
@@ -165,10 +194,11 @@ inline AffineForm<Real> dot(const AffineVector<Real>& u, const AffineVector<Real
   const Real size_v = v.magnitude();
   const Real unit = rounding::roundoff<Real>();
   const Real error = affine::dotError(u, v, size_u * (Real(1) + Real(32) * unit), size_v * (Real(1) + Real(32) * unit));
-  // 32: the bound `reach` sums signed products, each rounded relative to size * axis
+  // 32: `reach` and the product of the axes sum signed products, each rounded relative to what they multiply
+  const Real along_u = u.along * affine::sumOfMagnitudes(u.axis);
+  const Real along_v = v.along * affine::sumOfMagnitudes(v.axis);
   result.radius = affine::widened(quadratic + error, size_u * size_v, 32) +
-                  Real(32) * unit * (u.along * affine::sumOfMagnitudes(u.axis) * size_v +
-                                     v.along * affine::sumOfMagnitudes(v.axis) * size_u);
+                  Real(32) * unit * (along_u * size_v + along_v * size_u + along_u * along_v);
   return result;
 }
 
@@ -210,7 +240,8 @@ inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
 
 /// Encloses det [u; v; w].
 template <class Real>
-inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVector<Real>& v, const AffineVector<Real>& w)
+inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVector<Real>& v,
+                                    const AffineVector<Real>& w)
 {
   const auto minor = [&](std::size_t i, std::size_t j) {
     return component(v, i) * component(w, j) - component(v, j) * component(w, i);

@@ -11,17 +11,27 @@ namespace pkm_workspace
 template <class Real>
 using SymmetricForms = std::array<AffineForm<Real>, 6>;
 
+/// Encloses s M.
+template <class Real>
+SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)
+{
+  for (auto& entry : m)
+    entry = s * entry;
+  return m;
+}
+
 /// Whether every member of the matrix is proved positive definite on the whole cube.
 ///
-/// A matrix that is affine in delta is positive definite on the cube iff it is at the 8 corners (its quadratic form is affine in
-/// delta for every vector). The errors of the entries are met by taking each row's sum of radii off the diagonal (Gershgorin),
-/// the roundings of the leading minors (Sylvester) by a bound relative to their products.
+/// A matrix that is affine in delta is positive definite on the cube iff it is at the 8 corners (its quadratic form is
+/// affine in delta for every vector). The errors of the entries are met by taking each row's sum of radii off the
+/// diagonal (Gershgorin). At a corner the factorisation L D L^T in floating point is the exact one of a matrix that
+/// differs by less than a few roundoffs times the trace (Higham 2002, section 10.1; Rump 2006), which is taken off the
+/// diagonal too: positive pivots are a proof, without the loss of digits that minors suffer at multiple eigenvalues.
 /// @return false when it is not, or cannot be proved
 template <class Real>
 bool isPositiveDefinite(const SymmetricForms<Real>& m)
 {
-  using std::abs;
-  const Real unit = rounding::roundoff<Real>();
+  const Real trace = m[0].magnitude() + m[1].magnitude() + m[2].magnitude();
   std::array<Real, 6> radius;
   for (std::size_t k = 0; k < 6; ++k)
     radius[k] = affine::widened(m[k].radius, m[k].magnitude(), 8);
@@ -30,23 +40,22 @@ bool isPositiveDefinite(const SymmetricForms<Real>& m)
   std::array<std::array<Real, 8>, 6> corner;
   for (std::size_t k = 0; k < 6; ++k)
   {
-    const Real center = k < 3 ? m[k].center - row_sum[k] * (Real(1) + Real(8) * unit) : m[k].center;
+    const Real center = k < 3 ? m[k].center - affine::widened(row_sum[k], trace, 32) : m[k].center;
     for (std::size_t c = 0; c < 8; ++c)
       corner[k][c] = center + ((c & 1) ? m[k].gradient[0] : -m[k].gradient[0]) +
-                     ((c & 2) ? m[k].gradient[1] : -m[k].gradient[1]) + ((c & 4) ? m[k].gradient[2] : -m[k].gradient[2]);
+                     ((c & 2) ? m[k].gradient[1] : -m[k].gradient[1]) +
+                     ((c & 4) ? m[k].gradient[2] : -m[k].gradient[2]);
   }
   bool definite = true;
   for (std::size_t c = 0; c < 8; ++c)
   {
-    const Real a = corner[0][c], b = corner[1][c], d = corner[2][c];
-    const Real f = corner[3][c], e = corner[4][c], g = corner[5][c];  // 12, 02, 01
-    const Real ab = a * b, gg = g * g;
-    const Real minor = ab - gg;
-    const Real positive = ab * d + Real(2) * f * e * g;
-    const Real negative = a * f * f + b * e * e + d * gg;
-    const Real sizes = abs(ab * d) + Real(2) * abs(f * e * g) + abs(a) * f * f + abs(b) * e * e + abs(d) * gg;
-    definite = definite & (a > Real(0)) & (minor > Real(8) * unit * (abs(ab) + gg) + rounding::underflow<Real>()) &
-               (positive - negative > Real(32) * unit * sizes + rounding::underflow<Real>());
+    const Real first = corner[0][c];
+    const Real l10 = corner[5][c] / first;
+    const Real l20 = corner[4][c] / first;
+    const Real second = corner[1][c] - l10 * corner[5][c];
+    const Real rest = corner[3][c] - l20 * corner[5][c];
+    const Real third = corner[2][c] - l20 * corner[4][c] - rest * (rest / second);
+    definite = definite & (first > Real(0)) & (second > Real(0)) & (third > Real(0));
   }
   return definite;
 }

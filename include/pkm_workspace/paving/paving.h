@@ -24,12 +24,9 @@ struct PavingProgress
 struct PavingQuery
 {
   Criterion criterion;
-  double resolution = 0.05;        ///< boxes no wider than this are not bisected further [m]; > 0
-  std::optional<Box> box;          ///< what to pave [m]; without it, the bounds of the workspace
-  double time_limit = 0.0;         ///< [s]; 0 = none
-  std::int64_t max_boxes = 0;      ///< 0 = no limit
-  int threads = 1;
-  const std::atomic<bool>* stop = nullptr;
+  double resolution = 0.05;  ///< boxes no wider than this are not bisected further [m]; > 0
+  std::optional<Box> box;    ///< what to pave [m]; without it, the bounds of the workspace
+  Budget budget;
   std::function<void(const PavingProgress&)> progress;
 
   void validate(Problems& problems) const;
@@ -38,15 +35,15 @@ struct PavingQuery
 /// The box approximation of the criterion's set (paper, section 2.6).
 struct Paving
 {
-  Box box;                              ///< what was paved [m]
-  std::vector<Box> inside;              ///< S: every point of these satisfies the criterion
-  std::vector<Box> boundary;            ///< worked down to the resolution and undecided
-  std::vector<Box> pending;             ///< not looked at: the budget ended the run
-  Interval volume_inside;               ///< encloses V_a, the volume of the inner boxes [m^3]
-  Interval volume_boundary;             ///< encloses V_e, the volume of boundary and pending boxes [m^3]
-  std::int64_t boxes = 0;               ///< boxes looked at
+  Box box;                    ///< what was paved [m]
+  std::vector<Box> inside;    ///< S: every point of these satisfies the criterion
+  std::vector<Box> boundary;  ///< worked down to the resolution and undecided
+  std::vector<Box> pending;   ///< not looked at: the budget ended the run
+  Interval volume_inside;     ///< encloses V_a, the volume of the inner boxes [m^3]
+  Interval volume_boundary;   ///< encloses V_e, the volume of boundary and pending boxes [m^3]
+  std::int64_t boxes = 0;     ///< boxes looked at
   double seconds = 0.0;
-  bool complete = false;                ///< no box is pending
+  bool complete = false;  ///< no box is pending
 
   /// The volume of the set within the box lies between these [m^3].
   double volumeLower() const { return volume_inside.lower(); }

@@ -30,13 +30,10 @@ struct RegionQuery
 {
   ShapePtr shape = makeCube();
   Criterion criterion;
-  double accuracy = 1e-3;           ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
-  std::optional<Box> search_box;    ///< bounds the center [m]; a side may have zero width
-  double time_limit = 0.0;          ///< [s]; 0 = none, otherwise > 0
-  std::int64_t max_boxes = 0;       ///< boxes of centers; 0 = no limit
-  int threads = 1;                  ///< >= 1
-  const std::atomic<bool>* stop = nullptr;                 ///< when set, the search ends with the best proven so far
-  std::function<void(const RegionProgress&)> progress;     ///< called about ten times a second, if given
+  double accuracy = 1e-3;         ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
+  std::optional<Box> search_box;  ///< bounds the center [m]; a side may have zero width
+  Budget budget;                  ///< max_boxes counts boxes of centers
+  std::function<void(const RegionProgress&)> progress;  ///< called about ten times a second, if given
 
   void validate(Problems& problems) const;
 };
@@ -52,26 +49,28 @@ struct LargestRegion
 
   Status status = Status::STOPPED;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< [m], in the machine's root frame; meaningless when size is 0
-  double size = 0.0;                                  ///< certified: c + size K satisfies the criterion
-  double size_upper_bound = 0.0;                      ///< certified: no such region is larger, anywhere in the search box
-  std::array<JointRange, 3> joint_ranges;             ///< over the region; meaningless when size is 0
-  std::int64_t boxes = 0;                             ///< boxes of centers looked at
-  std::int64_t verification_boxes = 0;                ///< boxes looked at in proving regions
+  double size = 0.0;                                 ///< certified: c + size K satisfies the criterion
+  double size_upper_bound = 0.0;           ///< certified: no such region is larger, anywhere in the search box
+  std::array<JointRange, 3> joint_ranges;  ///< over the region; meaningless when size is 0
+  std::int64_t boxes = 0;                  ///< boxes of centers looked at
+  std::int64_t verification_boxes = 0;     ///< boxes looked at in proving regions
   double seconds = 0.0;
-  std::string message;                                ///< one sentence: what ended the search, what to do about it
+  std::string message;  ///< one sentence: what ended the search, what to do about it
 };
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; design, section 3). The search is over all centers of the workspace in the machine's aspect, or
-/// over the search box. Where all rails are parallel and joint limits are off, the coordinate of the center along which the rails
-/// run most is the one of the zero configuration, or the middle of the search box.
+/// over the search box. Where all rails are parallel and joint limits are off, the coordinate of the center along which
+/// the rails run most is the one of the zero configuration, or the middle of the search box.
 /// @throws std::invalid_argument for a query that is not valid or has no bounded answer, with all reasons
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query);
 
 /// The paper's C(x, y, z): the same for one given center [m].
 LargestRegion largestRegionAt(const Machine& machine, const RegionQuery& query, const Eigen::Vector3d& center);
 
-/// A box that contains every reachable point of the machine [m] (of the criterion's set, and of its joint limits if asked).
-/// @throws std::invalid_argument where that box would be unbounded or longer than 1000 struts: rails parallel or nearly so
+/// A box that contains every reachable point of the machine [m] (of the criterion's set, and of its joint limits if
+/// asked).
+/// @throws std::invalid_argument where that box would be unbounded or longer than 1000 struts: rails parallel or nearly
+/// so
 Box workspaceBounds(const Machine& machine, const Criterion& criterion);
 }  // namespace pkm_workspace

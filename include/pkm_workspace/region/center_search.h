@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <queue>
+#include <vector>
+
+#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/region/center_space.h"
+#include "pkm_workspace/region/center_test.h"
+#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/local_search.h"
+
+namespace pkm_workspace
+{
+/// Branch and bound over the centers of a region, best upper bound first (design, section 3, items 3 to 5).
+///
+/// Invariant: every center that may carry a region larger than excluded_bound_ lies in an open box, and no center
+/// of an open box carries one larger than that box's bound. The incumbent is certified.
+class CenterSearch
+{
+public:
+  /// @throws std::invalid_argument when the centers or the size are unbounded
+  CenterSearch(const Machine& machine, const RegionQuery& query);
+
+  /// Runs to the end or to the budget. Everything is filled in but the joint ranges.
+  LargestRegion run();
+
+private:
+  struct Node
+  {
+    Box centers;
+    double bound;  ///< certified: no center of the box carries a larger region
+    double room;   ///< of the parent: among equal bounds the roomiest is first
+    bool operator<(const Node& other) const
+    {
+      return bound < other.bound || (bound == other.bound && room < other.room);
+    }
+  };
+
+  void start();
+  void climbFrom(const Candidate& start);
+  bool certify(const Candidate& candidate);
+  void process(const Node& node);
+  void lowerBound(Node& node);
+  void tryCenter(const Box& centers);
+  bool outOfBudget();
+  double target() const;
+  double upperBound() const;
+  double seconds() const;
+  LargestRegion result(bool done) const;
+
+  const RegionQuery& query_;
+  BoxTest test_;
+  CenterSpace space_;
+  CenterTest center_test_;
+  LocalSearch local_search_;
+  double scale_;
+  Candidate incumbent_;
+  double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
+  double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
+  std::priority_queue<Node> open_;
+  std::int64_t boxes_ = 0;
+  std::int64_t verification_boxes_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+  Eigen::Vector3d zero_;
+  double next_progress_ = 0.1;
+};
+}  // namespace pkm_workspace

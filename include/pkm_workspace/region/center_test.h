@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/region/linear_programme.h"
+#include "pkm_workspace/region/shape.h"
+
+namespace pkm_workspace
+{
+/// The question of branch and bound over centers (design, section 3, items 3 and 4): may any center of a box carry a
+/// region?
+///
+/// For every witness point k of K and every center c of the box, c + h k has to satisfy the criterion; for any vectors
+/// v this makes v^T S v at c + h k, an affine form in the position delta of c within the box, necessarily non-negative.
+/// A linear programme over all these forms finds weights mu >= 0 whose combination is negative on the whole box
+/// (Farkas); the combination is then checked in sound arithmetic. Vectors are added where the programme's optimum still
+/// violates definiteness (Kelley's cutting planes). Holds its working memory: one object a thread.
+class CenterTest
+{
+public:
+  CenterTest(const BoxTest& test, const Shape& shape);
+
+  /// Adds a witness point k. @pre k lies in K, exactly
+  void addWitness(const Eigen::Vector3d& k) { witnesses_.push_back(k); }
+  /// Adds a point that is proved to violate the criterion [m].
+  void addBadPoint(const Eigen::Vector3d& point) { bad_points_.push_back(point); }
+  const std::vector<Eigen::Vector3d>& witnesses() const { return witnesses_; }
+
+  /// Whether it is proved that no center in the box carries a region of this size, nor of a larger one.
+  bool excludes(const Box& centers, double size);
+
+  /// After excludes() was false: the optimum of the programme, without unit. The larger, the more room seems to be
+  /// left.
+  double room() const { return room_; }
+  /// The least criterion margin over the witness points of one region, in floating point; ends early below @p enough.
+  double margin(const Eigen::Vector3d& center, double size, double enough) const;
+
+private:
+  bool addWitnessForms(const CenteredBox<double>& points);
+  bool add(const AffineForm<double>& form);
+  bool combinationExcludes();
+  bool addCuts();
+
+  const BoxTest& test_;
+  const Shape& shape_;
+  std::vector<Eigen::Vector3d> witnesses_;
+  std::vector<Eigen::Vector3d> bad_points_;
+  std::vector<SymmetricForms<double>> matrices_;
+  std::vector<AffineForm<double>> forms_;
+  LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
+  double room_ = 0.0;
+};
+}  // namespace pkm_workspace

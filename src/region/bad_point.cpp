@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/region/bad_point.h"
+
+namespace pkm_workspace
+{
+BadPointSearch::BadPointSearch(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
+  : test_(test), shape_(shape), center_(center), size_(size), step_(size * shape.halfExtents().maxCoeff())
+{}
+
+Eigen::Vector3d BadPointSearch::gradientAt(const Eigen::Vector3d& point, double margin) const
+{
+  const double difference = 1e-6 * step_;
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis)
+    gradient[axis] = (test_.margin(point + difference * Eigen::Vector3d::Unit(axis)) - margin) / difference;
+  return gradient;
+}
+
+Eigen::Vector3d BadPointSearch::descend(const Eigen::Vector3d& start, int steps) const
+{
+  Eigen::Vector3d point = shape_.nearest(start, center_, size_);
+  double margin = test_.margin(point);
+  double length = 0.5 * step_;
+  Eigen::Vector3d gradient = gradientAt(point, margin);
+  for (int step = 0; step < steps && gradient.norm() > 0.0; ++step)
+  {
+    const Eigen::Vector3d next = shape_.nearest(point - length * gradient.normalized(), center_, size_);
+    const double next_margin = test_.margin(next);
+    if (next_margin < margin)
+    {
+      point = next;
+      margin = next_margin;
+      gradient = gradientAt(point, margin);
+    }
+    else
+      length *= 0.25;
+  }
+  return point;
+}
+
+bool BadPointSearch::isProvedBad(const Eigen::Vector3d& point) const
+{
+  return shape_.contains(point, Box{ center_, center_ }, size_) && test_.classify(point) == BoxVerdict::OUTSIDE;
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/region/shape.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// K = { x : |x_j| <= proportion_j / 2 }: cubes, squares and boxes.
+class BoxShape : public Shape
+{
+public:
+  BoxShape(std::string name, std::string size_meaning, const Eigen::Vector3d& proportions)
+    : name_(std::move(name)), size_meaning_(std::move(size_meaning)), proportions_(proportions)
+  {}
+
+  std::string name() const override { return name_; }
+  std::string sizeMeaning() const override { return size_meaning_; }
+  Eigen::Vector3d halfExtents() const override { return 0.5 * proportions_; }
+
+  std::vector<Eigen::Vector3d> extremePoints() const override
+  {
+    std::vector<Eigen::Vector3d> corners = { Eigen::Vector3d::Zero() };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (proportions_[axis] == 0.0)
+        continue;
+      std::vector<Eigen::Vector3d> both;
+      for (const double half : { -0.5 * proportions_[axis], 0.5 * proportions_[axis] })
+        for (Eigen::Vector3d corner : corners)
+        {
+          corner[axis] = half;
+          both.push_back(corner);
+        }
+      corners = both;
+    }
+    return corners;
+  }
+
+  Box boundingBox(const Eigen::Vector3d& center, double size) const override
+  {
+    return pkm_workspace::boundingBox({ sides(center, size, 0), sides(center, size, 1), sides(center, size, 2) });
+  }
+
+  bool misses(const Box& box, const Eigen::Vector3d& center, double size) const override
+  {
+    const Box bounds = boundingBox(center, size);
+    return (box.lower.array() > bounds.upper.array()).any() || (box.upper.array() < bounds.lower.array()).any();
+  }
+
+  bool contains(const Eigen::Vector3d& point, const Box& centers, double size) const override
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Interval distance = Interval(point[axis]) - centers.side(axis);
+      if (!(distance.magnitude() <= half(size, axis).lower()))
+        return false;
+    }
+    return true;
+  }
+
+  Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const override
+  {
+    const Eigen::Vector3d reach = size * halfExtents();
+    return point.cwiseMax(center - reach).cwiseMin(center + reach);
+  }
+
+  std::vector<double> dimensions(double size) const override
+  {
+    std::vector<double> result;
+    for (int axis = 0; axis < 3; ++axis)
+      result.push_back((Interval(size) * Interval(proportions_[axis])).lower());
+    return result;
+  }
+
+  Interval volume(double size) const override
+  {
+    Interval product(1.0);
+    for (int axis = 0; axis < 3; ++axis)
+      product *= Interval(size) * Interval(proportions_[axis]);
+    return product;
+  }
+
+private:
+  Interval half(double size, int axis) const { return Interval(size) * Interval(0.5 * proportions_[axis]); }
+  /// Encloses every coordinate that the region takes along the axis.
+  Interval sides(const Eigen::Vector3d& center, double size, int axis) const
+  {
+    const Interval reach = half(size, axis);
+    return hull(Interval(center[axis]) - reach, Interval(center[axis]) + reach);
+  }
+
+  std::string name_;
+  std::string size_meaning_;
+  Eigen::Vector3d proportions_;
+};
+}  // namespace
+
+ShapePtr makeCube()
+{
+  return std::make_shared<BoxShape>("cube", "edge [m]", Eigen::Vector3d::Ones());
+}
+
+ShapePtr makeSquare()
+{
+  return std::make_shared<BoxShape>("square", "edge [m]", Eigen::Vector3d(1.0, 1.0, 0.0));
+}
+
+ShapePtr makeBox(const Eigen::Vector3d& proportions)
+{
+  const bool finite = proportions.allFinite() && (proportions.array() >= 0.0).all();
+  // halves and products with sizes have to stay ordinary numbers
+  const bool ordinary = finite && proportions.maxCoeff() > 1e-100 && proportions.maxCoeff() < 1e100 &&
+                        (proportions.array() == 0.0 || proportions.array() > 1e-100).all();
+  if (!ordinary)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "proportions (" << proportions.transpose() << ") [m per unit of size] must be finite, 0 or positive "
+         << "(1e-100 to 1e100), and at least one of them positive";
+    throw std::invalid_argument(text.str());
+  }
+  return std::make_shared<BoxShape>("box", "factor on the proportions", proportions);
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/region/center_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pkm_workspace/region/containment.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Starts of the local search besides the zero configuration: the best of a grid of this many centers along each axis.
+constexpr int GRID = 4;
+constexpr std::size_t STARTS = 4;
+/// How far below the local optimum a region is certified, as shares of the accuracy; the first that is proved counts.
+constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
+constexpr std::int64_t VERIFICATION_BOXES = 20000;
+/// New witness points that one climb may learn from failed certificates.
+constexpr int LESSONS = 12;
+/// Boxes of centers narrower than this, relative to the longest strut, are beyond what doubles can settle.
+constexpr double LEAST_WIDTH = 1e-13;
+}  // namespace
+
+CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
+  : query_(query)
+  , test_(machine, query.criterion)
+  , space_(centerSpace(machine, query))
+  , center_test_(test_, *query.shape)
+  , local_search_(test_, *query.shape, space_.centers)
+  , scale_(machine.scale())
+  , begin_(std::chrono::steady_clock::now())
+  , zero_(machine.zero())
+{}
+
+double CenterSearch::seconds() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+/// The least size whose absence proves the answer to the accuracy, rounded so that the bracket is never wider.
+double CenterSearch::target() const
+{
+  return rounding::add(incumbent_.size, query_.accuracy).lower;
+}
+
+double CenterSearch::upperBound() const
+{
+  const double open = open_.empty() ? 0.0 : open_.top().bound;
+  return std::min(space_.size_bound, std::max({ incumbent_.size, excluded_bound_, unsettled_bound_, open }));
+}
+
+/// Proves a region a little below the candidate and makes it the incumbent if it is larger.
+bool CenterSearch::certify(const Candidate& candidate)
+{
+  for (const double share : BACK_OFFS)
+  {
+    const double size = candidate.size - std::max(share * query_.accuracy, 1e-13 * scale_);
+    if (size <= incumbent_.size)
+      return false;
+    const ContainmentResult proof =
+        checkContainment(test_, *query_.shape, candidate.center, size, VERIFICATION_BOXES, query_.budget.stop);
+    verification_boxes_ += proof.boxes;
+    if (proof.verdict == Containment::INSIDE)
+    {
+      incumbent_ = { candidate.center, size };
+      return true;
+    }
+    if (proof.verdict == Containment::OUTSIDE)
+    {
+      center_test_.addBadPoint(*proof.bad_point);
+      return false;
+    }
+  }
+  return false;
+}
+
+void CenterSearch::climbFrom(const Candidate& start)
+{
+  const Candidate found = local_search_.climb(start, center_test_.witnesses());
+  if (found.size > incumbent_.size)
+    certify(found);
+}
+
+void CenterSearch::start()
+{
+  const Box& centers = space_.centers;
+  std::vector<std::pair<double, Eigen::Vector3d>> starts;
+  for (int index = 0; index < GRID * GRID * GRID; ++index)
+  {
+    Eigen::Vector3d share((index % GRID + 0.5) / GRID, (index / GRID % GRID + 0.5) / GRID,
+                          (index / (GRID * GRID) + 0.5) / GRID);
+    const Eigen::Vector3d center = centers.lower + share.cwiseProduct(centers.upper - centers.lower);
+    starts.emplace_back(-test_.margin(center), center);
+  }
+  const Eigen::Vector3d zero = zero_.cwiseMax(centers.lower).cwiseMin(centers.upper);
+  std::partial_sort(starts.begin(), starts.begin() + STARTS, starts.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  climbFrom({ zero, 0.0 });
+  for (std::size_t k = 0; k < STARTS; ++k)
+    climbFrom({ starts[k].second, 0.0 });
+  open_.push({ centers, space_.size_bound, 0.0 });
+}
+
+/// If the middle of a box that could not be excluded seems to carry a region of the size wanted, climbs from there.
+void CenterSearch::tryCenter(const Box& centers)
+{
+  const Eigen::Vector3d center = centers.center();
+  if (center_test_.margin(center, target(), 0.0) >= 0.0)
+    climbFrom({ center, target() });
+}
+
+void CenterSearch::process(const Node& node)
+{
+  ++boxes_;
+  const double size = target();
+  if (node.bound <= size || center_test_.excludes(node.centers, size))
+  {
+    excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, size));
+    return;
+  }
+  Node smaller = node;
+  smaller.room = center_test_.room();
+  tryCenter(node.centers);
+  lowerBound(smaller);
+  const int axis = node.centers.widestAxis();
+  if (node.centers.width(axis) < LEAST_WIDTH * scale_ || !node.centers.canBisect(axis))
+  {
+    unsettled_bound_ = std::max(unsettled_bound_, smaller.bound);
+    return;
+  }
+  const auto halves = node.centers.bisect(axis);
+  for (const Box& half : { halves.first, halves.second })
+  {
+    smaller.centers = half;
+    open_.push(smaller);
+  }
+}
+
+/// Halves the gap between a box's bound and the target, if that can be proved.
+void CenterSearch::lowerBound(Node& node)
+{
+  const double size = 0.5 * (target() + node.bound);
+  if (size < node.bound && center_test_.excludes(node.centers, size))
+    node.bound = size;
+}
+
+bool CenterSearch::outOfBudget()
+{
+  const Budget& budget = query_.budget;
+  if (budget.max_boxes > 0 && boxes_ >= budget.max_boxes)
+    return true;
+  const bool timed = budget.time_limit > 0.0 || query_.progress;
+  const double now = timed ? seconds() : 0.0;
+  if (query_.progress && now >= next_progress_)
+  {
+    query_.progress({ incumbent_.size, upperBound(), boxes_, static_cast<std::int64_t>(open_.size()), now });
+    next_progress_ = now + 0.1;
+  }
+  return budget.isOver(now);
+}
+
+LargestRegion CenterSearch::run()
+{
+  if (!space_.centers.isValid())
+    return result(true);
+  start();
+  while (!open_.empty())
+  {
+    if (outOfBudget())
+      return result(false);
+    const Node node = open_.top();
+    open_.pop();
+    process(node);
+  }
+  return result(true);
+}
+
+LargestRegion CenterSearch::result(bool done) const
+{
+  LargestRegion region;
+  region.center = incumbent_.center;
+  region.size = incumbent_.size;
+  region.size_upper_bound = upperBound();
+  region.boxes = boxes_;
+  region.verification_boxes = verification_boxes_;
+  region.seconds = seconds();
+  const bool narrow = region.size_upper_bound <= target();
+  if (narrow && region.size > 0.0)
+  {
+    region.status = LargestRegion::Status::PROVEN;
+    region.message = "proved to the accuracy asked for";
+  }
+  else if (narrow)
+  {
+    region.status = LargestRegion::Status::NONE;
+    region.message = "no region as large as the accuracy exists where the center may lie, proved";
+  }
+  else if (done)
+    region.message = "the accuracy is below what double precision can settle for this machine: ask for a coarser one";
+  else
+    region.message =
+        "the time limit, the box budget or a stop request ended the search: the bracket holds, but is wide";
+  return region;
+}
+}  // namespace pkm_workspace

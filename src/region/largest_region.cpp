@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/region/largest_region.h"
+
+#include <algorithm>
+
+#include "pkm_workspace/region/center_search.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+void finish(const Machine& machine, const RegionQuery& query, LargestRegion& region)
+{
+  if (region.size > 0.0)
+    region.joint_ranges = jointRanges(machine, *query.shape, region.center, region.size,
+                                      std::min(1e-3 * query.accuracy, 1e-6 * machine.scale()));
+}
+}  // namespace
+
+void RegionQuery::validate(Problems& problems) const
+{
+  if (!shape)
+    problems.push_back("a shape is missing");
+  criterion.validate(problems);
+  if (criterion.aspect == Criterion::Aspect::BOTH)
+    problems.push_back("a region lies in one aspect: ask for the machine's own or for the other one");
+  validatePositive("accuracy", accuracy, "(in the unit of the size, m for edges)", problems);
+  budget.validate(problems);
+  if (search_box)
+    validateBox("search box", *search_box, problems);
+}
+
+LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)
+{
+  Problems problems;
+  query.validate(problems);
+  throwProblems(problems);
+  LargestRegion region = CenterSearch(machine, query).run();
+  finish(machine, query, region);
+  return region;
+}
+
+LargestRegion largestRegionAt(const Machine& machine, const RegionQuery& query, const Eigen::Vector3d& center)
+{
+  RegionQuery at_center = query;
+  at_center.search_box = Box{ center, center };
+  return findLargestRegion(machine, at_center);
+}
+}  // namespace pkm_workspace
