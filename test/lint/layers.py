@@ -13,10 +13,11 @@ import re
 import subprocess
 import sys
 
-# Each folder, with those of its own package that it may include besides itself.
+# Each folder, with those of its own package that it may include besides itself; "" is what stands beside the folders.
 BELOW_DEXTERITY = {"interval", "machine"}
 CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "urdf_io"}
 LAYERS = {
+    "": set(),
     "interval": set(),
     "machine": {"interval"},
     "dexterity": BELOW_DEXTERITY,
@@ -34,7 +35,8 @@ ROS_HEADER = re.compile(r"/(ros|roscpp\w*|tf2\w*|actionlib\w*|diagnostic_\w+|int
 
 def files_of(root, folder):
     places = (root / "include/pkm_workspace" / folder, root / "src" / folder)
-    return [path for place in places for path in sorted(place.rglob("*")) if path.suffix in (".h", ".cpp")]
+    pattern = "**/*" if folder else "*"
+    return [path for place in places for path in sorted(place.glob(pattern)) if path.suffix in (".h", ".cpp")]
 
 
 def wrong_includes(path, folder):
