@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// What a URDF may miss its ideal by, in units of the strut length L (angles in rad). None of it weakens a proof: where
+/// axes do not meet or are not parallel exactly, the enclosures of the machine grow until they hold all it may do.
+namespace urdf_tolerance
+{
+constexpr double MEET = 1e-5;         ///< distance between the passive axes of one strut end [L]
+constexpr double PARALLEL = 1e-5;     ///< angle between an axis at the slider and the one that undoes it [rad]
+constexpr double COINCIDE = 1e-4;     ///< distance between the tcp frames at zero [L]
+constexpr double SINGULARITY = 1e-4;  ///< least |eta| [L] and least |det A| [L_1 L_2 L_3] at zero
+}  // namespace urdf_tolerance
+
+/// What a user may name where the reader would otherwise find it.
+struct UrdfOptions
+{
+  std::vector<std::string> rails;  ///< the three prismatic joints (~rails); empty: the only three there are
+  std::vector<std::string>
+      tcp_links;  ///< one link for each leg, in any order (~tcp_links); empty: the deepest that coincide
+};
+
+/// How the value of one joint follows from another: value = factor * (value of source) + offset [m, rad].
+struct JointFollower
+{
+  std::string joint;
+  std::string source;
+  double factor;
+  double offset;
+};
+
+/// The passive joints that turn one strut: at angles t0, t1 it is Rot(axes[0], t0) Rot(axes[1], t1) strut.
+struct StrutHinges
+{
+  std::array<std::string, 2> joints;    ///< from the slider on
+  std::array<std::string, 2> masters;   ///< the joints that they follow by <mimic>, or themselves
+  std::array<double, 2> factors;        ///< their angle for one radian of the master
+  std::array<Eigen::Vector3d, 2> axes;  ///< their unit directions at zero, in the root frame
+  Eigen::Vector3d strut;                ///< vector from A to B at zero, in the root frame [m]
+};
+
+/// A machine, and what else its URDF says that ROS needs to know.
+struct UrdfMachine
+{
+  Machine machine;
+  std::string root_link;                    ///< frame of all numbers of the machine
+  std::array<std::string, 3> slider_links;  ///< moved by the machine's three joints, in their order
+  std::array<std::string, 3> tcp_links;     ///< frames of the tool point, one for each leg
+  std::array<StrutHinges, 3> hinges;        ///< for jointValues()
+  std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
+  std::vector<std::string> warnings;        ///< what is in the URDF and not used
+};
+
+/// Reads a closed-loop machine from a URDF (design, section 5): three branches, cut at the platform. Every number of
+/// the machine encloses the exact number that the URDF's decimals, read as doubles, stand for. Legs come in the order
+/// in which the rails stand in the file or are named. Thread-safe. While urdfdom parses, the process-wide output
+/// handler of console_bridge is ours.
+/// @throws std::invalid_argument naming everything that is wrong at once, each with its element, value, unit and what
+/// is allowed
+UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options = {});
+
+/// Reads the file, then as above. @throws std::invalid_argument also when it cannot be read; the text begins with the
+/// path
+UrdfMachine readUrdfFile(const std::string& path, const UrdfOptions& options = {});
+}  // namespace pkm_workspace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// Writes a machine as a URDF that readUrdf() reads and rviz shows: rails, sliders, the two bars of each parallelogram
+/// (side branches on hinges of their own), platform and tool. All frames are parallel to the root's, the link
+/// "base_link".
+///
+/// A machine whose numbers are doubles (the Orthoglide) is read back bit for bit, any other to enclosures that overlap
+/// its own: where an enclosure has a width, a double inside it is written.
+///
+/// URDF wants joint limits. An end that the machine leaves open gets the nearest round number that is not reached: the
+/// reachable points lie in the ellipsoid sum |q_i|^2 <= sum L_i^2 (design, section 1), which bounds every joint. Where
+/// the rails are nearly parallel, nothing bounds them: the limit is then L away from the zero configuration.
+/// @throws std::invalid_argument when the joints have no names, or one name twice
+std::string writeUrdf(const Machine& machine);
+}  // namespace pkm_workspace

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "closure.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "number_text.h"
+
+namespace pkm_workspace
+{
+namespace urdf_io
+{
+namespace
+{
+/// A link that may stand for the tool point, with where it is at zero in the root frame.
+struct Candidate
+{
+  const Station* station;
+  Eigen::Vector3d point;
+};
+using Candidates = std::array<std::vector<Candidate>, 3>;
+using Stations = std::array<std::vector<Station>, 3>;
+
+/// One candidate of each leg; their distances are those from the first leg's.
+struct Triple
+{
+  std::array<const Candidate*, 3> of;
+  double distance = 0.0;
+
+  int depth() const
+  {
+    return std::min({ of[0]->station->fixed_joints, of[1]->station->fixed_joints, of[2]->station->fixed_joints });
+  }
+  int fixedJoints() const
+  {
+    return of[0]->station->fixed_joints + of[1]->station->fixed_joints + of[2]->station->fixed_joints;
+  }
+  bool isDeeperThan(const Triple& other) const
+  {
+    return depth() != other.depth() ? depth() > other.depth() : fixedJoints() < other.fixedJoints();
+  }
+  std::string names() const
+  {
+    return "'" + of[0]->station->link + "', '" + of[1]->station->link + "', '" + of[2]->station->link + "'";
+  }
+};
+
+Candidate candidateAt(const Station& station, const Rail& rail)
+{
+  return { &station, mid(rail.slider.toOuter(station.frame.position)) };
+}
+
+std::string linksOf(const Model& model)
+{
+  std::string list;
+  for (const auto& link : model.tree->links_)
+    list += (list.empty() ? "'" : ", '") + link.first + "'";
+  return list;
+}
+
+/// Every link that is fixed below a wrist.
+Candidates allCandidates(const std::array<Rail, 3>& rails, const Stations& stations)
+{
+  Problems problems;
+  Candidates candidates;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (const Station& station : stations[i])
+      if (station.isOnPlatform() && station.fixed_joints > 0)
+        candidates[i].push_back(candidateAt(station, rails[i]));
+    if (candidates[i].empty())
+      problems.add() << "leg of rail '" << rails[i].joint->name << "': " << whyNoPlatform(stations[i]);
+  }
+  problems.throwIfAny();
+  return candidates;
+}
+
+/// The leg that carries a named link, and where; nothing when none does.
+std::optional<std::pair<std::size_t, const Station*>> findLink(const std::string& link, const Stations& stations)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Station& station : stations[i])
+      if (station.link == link)
+        return std::make_pair(i, &station);
+  return std::nullopt;
+}
+
+Candidates namedCandidates(const Model& model, const std::array<Rail, 3>& rails, const Stations& stations,
+                           const std::vector<std::string>& names)
+{
+  Problems problems;
+  Candidates candidates;
+  if (names.size() != 3)
+    problems.add() << "tcp_links names " << names.size() << " links, expected three, one for each leg";
+  for (const std::string& name : names)
+  {
+    const auto found = findLink(name, stations);
+    if (model.tree->links_.count(name) == 0)
+      problems.add() << "tcp_links names '" << name << "', which is no link; the links are: " << linksOf(model);
+    else if (!found)
+      problems.add() << "tcp_links names link '" << name << "', which no rail carries";
+    else if (!candidates[found->first].empty())
+      problems.add() << "tcp_links names links '" << candidates[found->first].front().station->link << "' and '" << name
+                     << "' on the leg of rail '" << rails[found->first].joint->name << "', expected one for each leg";
+    else if (!found->second->isOnPlatform())
+      problems.add() << "tcp link '" << name << "': " << whyNotOnPlatform(*found->second);
+    else
+      candidates[found->first].push_back(candidateAt(*found->second, rails[found->first]));
+  }
+  problems.throwIfAny();
+  return candidates;
+}
+
+/// Of @p others the best partner of @p first: within the tolerance, not less deep if possible, then the least deep.
+const Candidate* partnerOf(const Candidate& first, const std::vector<Candidate>& others, double tolerance)
+{
+  const Candidate* best = nullptr;
+  for (const Candidate& other : others)
+  {
+    if (!((other.point - first.point).norm() <= tolerance))
+      continue;
+    const int depth = other.station->fixed_joints;
+    const int wanted = first.station->fixed_joints;
+    const int found = best == nullptr ? -1 : best->station->fixed_joints;
+    if (std::min(depth, found) >= wanted ? depth < found : depth > found)
+      best = &other;
+  }
+  return best;
+}
+
+/// The triples that coincide, one at most for each candidate of the first leg.
+std::vector<Triple> coincidingTriples(const Candidates& candidates, double tolerance)
+{
+  std::vector<Triple> triples;
+  for (const Candidate& first : candidates[0])
+  {
+    const Candidate* const second = partnerOf(first, candidates[1], tolerance);
+    const Candidate* const third = partnerOf(first, candidates[2], tolerance);
+    if (second != nullptr && third != nullptr)
+      triples.push_back({ { &first, second, third } });
+  }
+  return triples;
+}
+
+/// Tells how near the legs come to closing.
+void tellDistance(const Candidates& candidates, double tolerance, Problems& problems)
+{
+  std::optional<Triple> best;
+  for (const Candidate& first : candidates[0])
+  {
+    Triple triple{ { &first, nullptr, nullptr } };
+    for (const std::size_t i : { 1, 2 })
+    {
+      const auto distance = [&first](const Candidate& c) { return (c.point - first.point).norm(); };
+      const auto nearer = [&](const Candidate& a, const Candidate& b) { return distance(a) < distance(b); };
+      triple.of[i] = &*std::min_element(candidates[i].begin(), candidates[i].end(), nearer);
+      triple.distance = std::max(triple.distance, distance(*triple.of[i]));
+    }
+    if (!best || triple.distance < best->distance)
+      best = triple;
+  }
+  problems.add() << "the tcp frames of links " << best->names() << " are " << roundedText(best->distance, 6)
+                 << " m apart at zero, expected at most " << roundedText(urdf_tolerance::COINCIDE, 3)
+                 << " L = " << roundedText(tolerance, 6) << " m: at zero the machine must be assembled";
+}
+
+/// @param problems of the legs, told with those of the triple when there is none
+Triple deepestTriple(const Candidates& candidates, double tolerance, Problems& problems)
+{
+  const auto triples = coincidingTriples(candidates, tolerance);
+  if (triples.empty())
+  {
+    tellDistance(candidates, tolerance, problems);
+    problems.throwIfAny();
+  }
+  const auto less = [](const Triple& a, const Triple& b) { return b.isDeeperThan(a); };
+  const Triple deepest = *std::max_element(triples.begin(), triples.end(), less);
+  for (const Triple& other : triples)
+    if (!deepest.isDeeperThan(other) && (other.of[0]->point - deepest.of[0]->point).norm() > 2.0 * tolerance)
+    {
+      problems.add() << "the links " << deepest.names() << " coincide at zero, and so do " << other.names()
+                     << ", elsewhere and as deep; name the tool point's with tcp_links";
+      problems.throwIfAny();
+    }
+  return deepest;
+}
+/// Each leg needs its own freedom.
+void checkIndependence(const std::array<ClosedLeg, 3>& legs, Problems& problems)
+{
+  std::map<std::string, std::string> joint_of;
+  for (const ClosedLeg& leg : legs)
+    for (const Hinge& hinge : leg.tcp.at_slider)
+    {
+      const auto other = joint_of.emplace(hinge.master, hinge.joint);
+      if (!other.second)
+        problems.add() << "joints '" << other.first->second << "' and '" << hinge.joint << "' both follow '"
+                       << hinge.master
+                       << "', which couples their struts; expected passive joints that turn each strut by itself";
+    }
+}
+}  // namespace
+
+std::array<ClosedLeg, 3> closeLegs(const Model& model, const std::array<Rail, 3>& rails,
+                                   const std::vector<std::string>& tcp_links)
+{
+  Stations stations;
+  for (std::size_t i = 0; i < 3; ++i)
+    stations[i] = stationsBelow(model.link(rails[i].joint->child_link_name), model);
+  const Candidates candidates =
+      tcp_links.empty() ? allCandidates(rails, stations) : namedCandidates(model, rails, stations, tcp_links);
+
+  Problems of_first;
+  double length = 0.0;
+  for (const auto& leg : candidates)
+    length = std::max(length, measureLeg(*leg.front().station, of_first).length.upper());
+  const Triple triple = deepestTriple(candidates, urdf_tolerance::COINCIDE * length, of_first);
+
+  Problems problems;
+  std::array<ClosedLeg, 3> legs;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    legs[i].tcp = *triple.of[i]->station;
+    legs[i].geometry = measureLeg(legs[i].tcp, problems);
+    legs[i].tool_point = rails[i].slider.toOuter(legs[i].tcp.frame.position);
+  }
+  checkIndependence(legs, problems);
+  problems.throwIfAny();
+  return legs;
+}
+}  // namespace urdf_io
+}  // namespace pkm_workspace

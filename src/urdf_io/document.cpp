@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "document.h"
+
+#include <set>
+
+#include "document_checks.h"
+
+namespace pkm_workspace
+{
+namespace urdf_io
+{
+namespace
+{
+constexpr int DEEPEST_ELEMENT = 50;
+constexpr int MOST_ELEMENTS = 1000;   // links, and joints
+constexpr int MOST_ATTRIBUTES = 100;  // of one element
+
+/// Writes elements and attributes out again, so that urdfdom cannot read anything else than we did, and looks after the
+/// bounds that its parser (which recurses, and is quadratic in the attributes) needs.
+class ElementPrinter : public tinyxml2::XMLPrinter
+{
+public:
+  explicit ElementPrinter(Problems& problems) : problems_(problems) {}
+
+  using XMLPrinter::Visit;
+  using XMLPrinter::VisitEnter;
+  using XMLPrinter::VisitExit;
+  bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override
+  {
+    ++depth_;
+    if (depth_ == DEEPEST_ELEMENT + 1)
+      problems_.add() << "line " << element.GetLineNum() << ": elements are nested deeper than " << DEEPEST_ELEMENT;
+    checkAttributes(element, first);
+    XMLPrinter::VisitEnter(element, first);
+    return depth_ <= DEEPEST_ELEMENT;
+  }
+  bool VisitExit(const XMLElement& element) override
+  {
+    --depth_;
+    return XMLPrinter::VisitExit(element);
+  }
+  bool Visit(const tinyxml2::XMLText&) override { return true; }
+  bool Visit(const tinyxml2::XMLComment&) override { return true; }
+  bool Visit(const tinyxml2::XMLUnknown&) override { return true; }
+  bool Visit(const tinyxml2::XMLDeclaration&) override { return true; }
+
+private:
+  void checkAttributes(const XMLElement& element, const tinyxml2::XMLAttribute* first)
+  {
+    std::set<std::string> names;
+    int count = 0;
+    for (auto* attribute = first; attribute != nullptr; attribute = attribute->Next(), ++count)
+      if (!names.insert(attribute->Name()).second)
+        problems_.add() << "line " << element.GetLineNum() << ": <" << element.Name() << "> has the attribute '"
+                        << attribute->Name() << "' twice";
+    if (count > MOST_ATTRIBUTES)
+      problems_.add() << "line " << element.GetLineNum() << ": <" << element.Name() << "> has " << count
+                      << " attributes, at most " << MOST_ATTRIBUTES << " are read";
+  }
+
+  Problems& problems_;
+  int depth_ = 0;
+};
+
+/// Number of bytes of the UTF-8 character at the begin of @p text that XML allows, or 0.
+std::size_t characterLength(const unsigned char* text)
+{
+  if (*text < 0x80)
+    return *text >= 0x20 || *text == '\t' || *text == '\n' || *text == '\r' ? 1 : 0;
+  const std::size_t length = *text >= 0xF0 ? 4 : *text >= 0xE0 ? 3 : 2;
+  if (*text < 0xC2 || *text > 0xF4)
+    return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if (text[i] < 0x80 || text[i] > 0xBF)
+      return 0;
+  return length;
+}
+
+/// urdfdom's parser never returns from some texts that are not UTF-8.
+void checkCharacters(const std::string& text, Problems& problems)
+{
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(text.c_str());
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const std::size_t length = characterLength(bytes + i);
+    if (length == 0)
+    {
+      problems.add() << "an element or attribute holds a character that is not printable UTF-8 (byte "
+                     << static_cast<int>(bytes[i]) << ")";
+      return;
+    }
+    i += length;
+  }
+}
+
+void checkSize(const std::string& xml, Problems& problems)
+{
+  if (xml.size() > LARGEST_TEXT)
+    problems.add() << "the text is longer than the " << LARGEST_TEXT << " bytes that are read";
+  if (xml.find('\0') != std::string::npos)
+    problems.add() << "the text holds a zero byte: it is no XML";
+  problems.throwIfAny();
+}
+
+void parse(const std::string& xml, tinyxml2::XMLDocument& xml_document, Problems& problems)
+{
+  xml_document.Parse(xml.data(), xml.size());
+  if (xml_document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
+    problems.add() << "line " << xml_document.ErrorLineNum() << ": elements are nested deeper than " << DEEPEST_ELEMENT;
+  else if (xml_document.Error())
+    problems.add() << "the text is no well-formed XML: " << xml_document.ErrorStr();
+  problems.throwIfAny();
+}
+
+/// The only element <robot>.
+const XMLElement& onlyRobot(const tinyxml2::XMLDocument& xml_document, Problems& problems)
+{
+  const XMLElement* const root = xml_document.RootElement();
+  if (root == nullptr || root->Name() != std::string("robot"))
+    problems.add() << "the outermost element is <" << (root == nullptr ? "" : root->Name()) << ">, expected <robot>";
+  problems.throwIfAny();
+  for (auto* next = root->NextSiblingElement(); next != nullptr; next = next->NextSiblingElement())
+    problems.add() << "line " << next->GetLineNum() << ": a second outermost element <" << next->Name()
+                   << ">, expected one <robot>";
+  for (const auto* const inner : childrenOf(*root, "robot"))
+    problems.add() << "line " << inner->GetLineNum() << ": a second <robot> inside the first, expected one";
+  for (const char* const kind : { "link", "joint" })
+  {
+    const auto count = childrenOf(*root, kind).size();
+    if (count > MOST_ELEMENTS)
+      problems.add() << "the robot has " << count << " elements <" << kind << ">, at most " << MOST_ELEMENTS
+                     << " are read";
+  }
+  problems.throwIfAny();
+  return *root;
+}
+
+Origin originOf(const XMLElement& joint)
+{
+  const auto* const element = joint.FirstChildElement("origin");
+  const Eigen::Vector3d xyz = vectorOf(element, "xyz").value_or(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d rpy = vectorOf(element, "rpy").value_or(Eigen::Vector3d::Zero());
+  return { xyz, { rpy[0], rpy[1], rpy[2] } };
+}
+}  // namespace
+
+Document readDocument(const std::string& xml, Problems& problems)
+{
+  Document document;
+  tinyxml2::XMLDocument xml_document;
+  checkSize(xml, problems);
+  parse(xml, xml_document, problems);
+  const XMLElement& robot = onlyRobot(xml_document, problems);
+
+  ElementPrinter printer(problems);
+  robot.Accept(&printer);
+  document.elements = printer.CStr();
+  checkCharacters(document.elements, problems);
+  checkStructure(robot, problems);
+  problems.throwIfAny();
+  checkJoints(robot, problems, document.warnings);
+  for (const auto* const joint : childrenOf(robot, "joint"))
+  {
+    document.joints.push_back(nameOf(*joint));
+    document.origins[nameOf(*joint)] = originOf(*joint);
+  }
+  return document;
+}
+}  // namespace urdf_io
+}  // namespace pkm_workspace

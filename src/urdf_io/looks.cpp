@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "looks.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace pkm_workspace
+{
+namespace urdf_io
+{
+namespace
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// A right-handed frame whose z is along @p z and whose x is across it, along @p x as far as possible.
+Matrix3d frameAlong(const Vector3d& z, const Vector3d& x)
+{
+  Matrix3d frame;
+  frame.col(2) = z.normalized();
+  Vector3d across = x - x.dot(frame.col(2)) * frame.col(2);
+  frame.col(0) = across.norm() > 1e-6 * x.norm() ? across.normalized() : frame.col(2).unitOrthogonal();
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  return frame;
+}
+
+Solid rod(const Vector3d& from, const Vector3d& to, double radius, const char* material)
+{
+  const Matrix3d frame = frameAlong(to - from, Vector3d::UnitX());
+  return { Solid::Shape::CYLINDER, { radius, radius, (to - from).norm() }, 0.5 * (from + to), frame, material };
+}
+
+/// A box from one point to another, its width along @p side.
+Solid beam(const Vector3d& from, const Vector3d& to, const Vector3d& side, double width, double height,
+           const char* material)
+{
+  return {
+    Solid::Shape::BOX, { width, height, (to - from).norm() }, 0.5 * (from + to), frameAlong(to - from, side), material
+  };
+}
+
+/// Where the tool points: away from the sliders.
+Vector3d toolDirection(const std::array<LegNumbers, 3>& numbers)
+{
+  const Vector3d sum = numbers[0].strut + numbers[1].strut + numbers[2].strut;
+  return sum.norm() > 0.1 * numbers[0].strut.norm() ? Vector3d(sum.normalized()) : Vector3d(-Vector3d::UnitZ());
+}
+
+/// The side of its rail on which nothing of the machine is: against the strut, or else against the tool.
+Vector3d behindRail(const LegNumbers& leg, const Vector3d& tool)
+{
+  for (const Vector3d& front : { leg.strut, tool })
+  {
+    const Vector3d across = front - leg.axis.dot(front) * leg.axis;
+    if (across.norm() > 0.05 * front.norm())
+      return -across.normalized();
+  }
+  return leg.axis.unitOrthogonal();
+}
+
+LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, double unit)
+{
+  const double length = leg.strut.norm();
+  const Vector3d behind = 0.1 * unit * behindRail(leg, tool);
+  const Vector3d along = 0.07 * unit * leg.axis;
+  const double forward = leg.axis.dot(leg.strut) > 0.0 ? 1.0 : -1.0;
+  const double from = std::max(leg.lower, std::min(-0.4 * forward, 0.7 * forward) * length);
+  const double to = std::min(leg.upper, std::max(-0.4 * forward, 0.7 * forward) * length);
+
+  LegLooks looks;
+  const Vector3d start = leg.origin + behind;
+  looks.rail = beam(start + from * leg.axis - 1.5 * along, start + to * leg.axis + 1.5 * along, behind, 0.04 * unit,
+                    0.06 * unit, "rail");
+  looks.slider = { beam(behind - along, behind + along, behind, 0.07 * unit, 0.1 * unit, "slider"),
+                   beam(behind, Vector3d::Zero(), leg.axis, 0.05 * unit, 0.03 * unit, "slider") };
+  looks.half_width = 0.06 * unit * leg.revolute;
+  looks.short_bar = rod(-1.2 * looks.half_width, 1.2 * looks.half_width, 0.014 * unit, "joint");
+  looks.bar = rod(Vector3d::Zero(), leg.strut, 0.01 * unit, "bar");
+  if (leg.platform.norm() > 0.02 * unit)
+    looks.tip = { beam(Vector3d::Zero(), -leg.platform, tool, 0.02 * unit, 0.04 * unit, "platform") };
+  return looks;
+}
+}  // namespace
+
+const std::vector<Material>& materials()
+{
+  static const std::vector<Material> all{ { "rail", "0.35 0.37 0.4 1" },    { "slider", "0.1 0.3 0.6 1" },
+                                          { "joint", "0.2 0.2 0.22 1" },    { "bar", "0.85 0.55 0.15 1" },
+                                          { "platform", "0.2 0.45 0.4 1" }, { "tool", "0.75 0.77 0.8 1" } };
+  return all;
+}
+
+Looks looksOf(const std::array<LegNumbers, 3>& numbers)
+{
+  const double unit = std::max({ numbers[0].strut.norm(), numbers[1].strut.norm(), numbers[2].strut.norm() });
+  const Vector3d tool = toolDirection(numbers);
+  Looks looks;
+  for (std::size_t i = 0; i < 3; ++i)
+    looks.legs[i] = looksOf(numbers[i], tool, unit);
+  looks.platform = {
+    { Solid::Shape::SPHERE, { 0.05 * unit, 0.0, 0.0 }, Vector3d::Zero(), Matrix3d::Identity(), "platform" },
+    rod(Vector3d::Zero(), 0.12 * unit * tool, 0.03 * unit, "platform"),
+    rod(0.12 * unit * tool, 0.2 * unit * tool, 0.01 * unit, "tool")
+  };
+  return looks;
+}
+}  // namespace urdf_io
+}  // namespace pkm_workspace

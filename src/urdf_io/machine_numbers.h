@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+namespace urdf_io
+{
+/// The doubles that a URDF has for one leg: read back, their enclosures overlap those of the machine.
+struct LegNumbers
+{
+  std::string joint;
+  Eigen::Vector3d origin;    ///< A at joint value 0 [m]
+  Eigen::Vector3d axis;      ///< along e, nearly of unit length
+  Eigen::Vector3d platform;  ///< b [m]
+  Eigen::Vector3d strut;     ///< A to B at joint values 0 [m]
+  double lower;              ///< joint limits [m]
+  double upper;
+  Eigen::Vector3d revolute;  ///< axis of the first passive joint: perpendicular to the strut, and to the rail if it can
+  Eigen::Vector3d parallelogram;  ///< axis of the second one: perpendicular to the first and to the strut
+};
+
+/// @throws std::invalid_argument when the machine is not assembled at joint values 0
+std::array<LegNumbers, 3> numbersOf(const Machine& machine);
+}  // namespace urdf_io
+}  // namespace pkm_workspace

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "closure.h"
+#include "number_text.h"
+#include "reader_warnings.h"
+
+namespace pkm_workspace
+{
+using namespace urdf_io;
+
+namespace
+{
+using Rails = std::array<Rail, 3>;
+using ClosedLegs = std::array<ClosedLeg, 3>;
+
+/// The strut of one leg at zero, in the root frame.
+IntervalVector strutOf(const Rail& rail, const ClosedLeg& leg)
+{
+  return rail.slider.rotation * leg.geometry.strut;
+}
+
+std::string strutLink(const ClosedLeg& leg)
+{
+  return leg.tcp.at_slider.back().child_link;
+}
+
+Leg machineLeg(const Rail& rail, const ClosedLeg& closed)
+{
+  Leg leg;
+  leg.joint = rail.joint->name;
+  leg.origin = rail.slider.toOuter(closed.geometry.slider_point);
+  leg.axis = rail.axis;
+  leg.platform = rail.slider.rotation * closed.geometry.platform;
+  leg.length = closed.geometry.length;
+  leg.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
+  leg.limits = Interval(rail.joint->limits->lower, rail.joint->limits->upper);
+  return leg;
+}
+
+/// The zero configuration has to show the working mode and the aspect beyond doubt.
+void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& problems)
+{
+  const double least = urdf_tolerance::SINGULARITY;
+  Interval volume = 1.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Interval eta = dot(strutOf(rails[i], legs[i]), rails[i].axis);
+    const Interval length = legs[i].geometry.length;
+    volume = volume * length;
+    if (!(eta.mignitude() > least * length.upper()))
+      problems.add() << "link '" << strutLink(legs[i]) << "': a strut across its rail '" << rails[i].joint->name
+                     << "' at zero (serial singularity): eta = " << roundedText(eta.mid(), 6)
+                     << " m, expected more than " << roundedText(least, 3)
+                     << " L = " << roundedText(least * length.upper(), 6) << " m in size";
+  }
+  const Interval det_a =
+      determinant(strutOf(rails[0], legs[0]), strutOf(rails[1], legs[1]), strutOf(rails[2], legs[2]));
+  if (!(det_a.mignitude() > least * volume.upper()))
+    problems.add() << "links '" << strutLink(legs[0]) << "', '" << strutLink(legs[1]) << "', '" << strutLink(legs[2])
+                   << "': struts in parallel planes at zero (parallel singularity): det A = "
+                   << roundedText(det_a.mid(), 6) << " m^3, expected more than " << roundedText(least, 3)
+                   << " L_1 L_2 L_3 = " << roundedText(least * volume.upper(), 6) << " m^3 in size";
+}
+
+Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& closed)
+{
+  Problems problems;
+  checkSingularities(rails, closed, problems);
+  problems.throwIfAny();
+  Machine::Legs legs;
+  for (std::size_t i = 0; i < 3; ++i)
+    legs[i] = machineLeg(rails[i], closed[i]);
+  try
+  {
+    return Machine(model.tree->getName(), legs, mid(closed[0].tool_point));
+  }
+  catch (const std::invalid_argument& exception)
+  {
+    problems.add() << exception.what();
+    problems.throwIfAny();
+    throw;
+  }
+}
+
+StrutHinges hingesOf(const Rail& rail, const ClosedLeg& leg)
+{
+  const auto& hinges = leg.tcp.at_slider;
+  const HingePair pair = bestPair(hinges, leg.geometry.strut);
+  const auto& first = hinges[pair.first];
+  const auto& second = hinges[pair.second];
+  const auto axis = [&rail](const Hinge& hinge) { return mid(rail.slider.rotation * hinge.axis.enclosure); };
+  return { { first.joint, second.joint },
+           { first.master, second.master },
+           { first.factor, second.factor },
+           { axis(first).normalized(), axis(second).normalized() },
+           mid(strutOf(rail, leg)) };
+}
+
+/// All that follows from the rails and from the passive joints at the sliders.
+std::vector<JointFollower> followersIn(const Model& model, const Rails& rails, const ClosedLegs& legs)
+{
+  std::vector<std::string> masters;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    masters.push_back(rails[i].joint->name);
+    for (const Hinge& hinge : legs[i].tcp.at_slider)
+      masters.push_back(hinge.master);
+  }
+  std::vector<JointFollower> followers;
+  for (const auto& name : model.document.joints)
+    if (std::find(masters.begin(), masters.end(), model.masters.at(name).source) != masters.end())
+      followers.push_back(model.masters.at(name));
+  return followers;
+}
+}  // namespace
+
+UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
+{
+  const Model model = readModel(xml);
+  const Rails rails = findRails(model, options.rails);
+  const ClosedLegs legs = closeLegs(model, rails, options.tcp_links);
+  UrdfMachine urdf{ makeMachine(model, rails, legs), model.tree->getRoot()->name, {}, {}, {}, {}, {} };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    urdf.slider_links[i] = rails[i].joint->child_link_name;
+    urdf.tcp_links[i] = legs[i].tcp.link;
+    urdf.hinges[i] = hingesOf(rails[i], legs[i]);
+  }
+  urdf.followers = followersIn(model, rails, legs);
+  urdf.warnings = warningsAbout(model, rails, legs);
+  return urdf;
+}
+
+UrdfMachine readUrdfFile(const std::string& path, const UrdfOptions& options)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string xml(LARGEST_TEXT + 1, '\0');
+  file.read(&xml[0], static_cast<std::streamsize>(xml.size()));
+  if (!file.is_open() || file.bad())
+    throw std::invalid_argument(path + ": cannot be read: " + std::strerror(errno));
+  xml.resize(static_cast<std::size_t>(file.gcount()));
+  try
+  {
+    return readUrdf(xml, options);
+  }
+  catch (const std::invalid_argument& exception)
+  {
+    throw std::invalid_argument(path + ": " + exception.what());
+  }
+}
+}  // namespace pkm_workspace

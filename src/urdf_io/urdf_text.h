@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "looks.h"
+
+namespace pkm_workspace
+{
+namespace urdf_io
+{
+/// A joint as it is written; what is left at its default is not.
+struct JointText
+{
+  std::string name;
+  std::string type;
+  std::string parent;
+  std::string child;
+  Eigen::Vector3d origin;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  std::string master = "";                          ///< whom it follows
+  double multiplier = 1.0;                          ///< in doing so
+  std::pair<double, double> limits = { 0.0, 0.0 };  ///< of a prismatic joint [m]
+};
+
+/// Writes the elements of a URDF. Numbers of joints read back as the same doubles; what is only drawn is rounded, so
+/// that the text is the same on every machine.
+class UrdfText
+{
+public:
+  explicit UrdfText(const std::string& robot);
+
+  void link(const std::string& name, const std::vector<Solid>& solids = {});
+  /// The joint and its child link.
+  void branch(const JointText& joint, const std::vector<Solid>& solids = {});
+  /// Ends the robot. @return the whole text
+  std::string finish();
+
+private:
+  using Attributes = std::vector<std::pair<const char*, std::string>>;
+  void open(const char* element, const Attributes& attributes = {});
+  void element(const char* name, const Attributes& attributes);
+  void material(const Material& material);
+  void visual(const Solid& solid);
+
+  tinyxml2::XMLPrinter printer_;
+};
+}  // namespace urdf_io
+}  // namespace pkm_workspace
