@@ -8,11 +8,13 @@ prefix=$3/root$2
 work=$3
 source=$(cd "$(dirname "$0")" && pwd)
 
-export PATH=/usr/bin:$PATH # the Python of catkin
+export PATH=/usr/bin:$PATH ROS_HOME=$work # the Python of catkin; rospack keeps its cache in ROS_HOME
 rm -rf "$work"
 mkdir -p "$work"
 DESTDIR=$work/root cmake --install "$build" >"$work/install.log"
-for file in lib/libpkm_workspace.so include/pkm_workspace/machine/machine.h share/pkm_workspace/package.xml; do
+for file in lib/libpkm_workspace.so include/pkm_workspace/region/largest_region.h share/pkm_workspace/package.xml \
+  share/pkm_workspace/urdf/orthoglide.urdf share/pkm_workspace/launch/orthoglide.launch \
+  share/pkm_workspace/rviz/pkm_workspace.rviz lib/pkm_workspace/pkm lib/pkm_workspace/pkm_workspace_node; do
   [ -e "$prefix/$file" ] || { echo "not installed: $file" >&2; exit 1; }
 done
 
@@ -24,3 +26,6 @@ cmake --build "$work/build"
 program=$work/devel/lib/pkm_workspace_downstream/downstream
 ldd "$program" | grep -F "$prefix/lib/libpkm_workspace.so" || { echo "linked to another one:" >&2; ldd "$program"; exit 1; }
 "$program"
+
+# The installed command, as rosrun finds it, with the installed machine
+rosrun pkm_workspace pkm evaluate --urdf "$(rospack find pkm_workspace)/urdf/orthoglide.urdf" --point 0 0 0
