@@ -69,8 +69,8 @@ LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, double unit)
 
   LegLooks looks;
   const Vector3d start = leg.origin + behind;
-  looks.rail = beam(start + from * leg.axis - 1.5 * along, start + to * leg.axis + 1.5 * along, behind, 0.04 * unit,
-                    0.06 * unit, "rail");
+  looks.rail = beam(start + from * leg.axis - 1.5 * along, start + to * leg.axis + 1.5 * along, behind, 0.035 * unit,
+                    0.05 * unit, "rail");
   looks.slider = { beam(behind - along, behind + along, behind, 0.07 * unit, 0.1 * unit, "slider"),
                    beam(behind, Vector3d::Zero(), leg.axis, 0.05 * unit, 0.03 * unit, "slider") };
   looks.half_width = 0.06 * unit * leg.revolute;
@@ -84,9 +84,9 @@ LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, double unit)
 
 const std::vector<Material>& materials()
 {
-  static const std::vector<Material> all{ { "rail", "0.35 0.37 0.4 1" },    { "slider", "0.1 0.3 0.6 1" },
-                                          { "joint", "0.2 0.2 0.22 1" },    { "bar", "0.85 0.55 0.15 1" },
-                                          { "platform", "0.2 0.45 0.4 1" }, { "tool", "0.75 0.77 0.8 1" } };
+  static const std::vector<Material> all{ { "rail", "0.45 0.47 0.5 1" },    { "slider", "0.2 0.4 0.75 1" },
+                                          { "joint", "0.3 0.3 0.33 1" },    { "bar", "0.95 0.65 0.2 1" },
+                                          { "platform", "0.25 0.6 0.5 1" }, { "tool", "0.85 0.87 0.9 1" } };
   return all;
 }
 
