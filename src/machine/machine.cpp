@@ -5,6 +5,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -112,8 +113,10 @@ double Machine::scale() const
 std::string Machine::geometryHash() const
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::hexfloat << "pkm_workspace geometry 1 aspect " << aspect_;
-  const auto put = [&text](const Interval& x) { text << ' ' << x.lower() << ' ' << x.upper(); };
+  const auto withoutSign = [](double x) { return x == 0.0 ? 0.0 : x; };  // -0 is 0
+  const auto put = [&](const Interval& x) { text << ' ' << withoutSign(x.lower()) << ' ' << withoutSign(x.upper()); };
   for (const auto& leg : legs_)
   {
     text << " mode " << leg.working_mode;

@@ -33,7 +33,7 @@ protected:
   template <class Check>
   void forEachBox(const Check& check)
   {
-    for (int seed = 0; seed < caseCount() && !HasFailure(); ++seed)
+    for (int seed = 0; seed < cases() && !HasFailure(); ++seed)
     {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Operands values = operands(seed);

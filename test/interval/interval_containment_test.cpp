@@ -100,7 +100,7 @@ class IntervalContainment : public ModeAndSpread
 
 TEST_P(IntervalContainment, operationsHoldTheResultsForAllMembers)
 {
-  for (int seed = 0; seed < caseCount(); ++seed)
+  for (int seed = 0; seed < cases(); ++seed)
     ASSERT_TRUE(everyOperationHolds(mode(), spread(), seed));
 }
 
@@ -111,7 +111,7 @@ TEST(IntervalContainment, doesNotDependOnOtherThreadsAndTheirModes)
   std::vector<std::thread> threads;
   for (const auto& mode : ROUNDING_MODES)
     threads.emplace_back([&mode] {
-      for (int seed = 0; seed < caseCount(); ++seed)
+      for (int seed = 0; seed < cases(); ++seed)
         for (const auto& spread : SPREADS)
           EXPECT_TRUE(everyOperationHolds(mode, spread, seed));
       mpfr_free_cache();
@@ -122,7 +122,7 @@ TEST(IntervalContainment, doesNotDependOnOtherThreadsAndTheirModes)
 
 TEST(IntervalContainment, sineAndCosineHoldTheExactValueBetweenNeighbours)
 {
-  for (int seed = 0; seed < caseCount(); ++seed)
+  for (int seed = 0; seed < cases(); ++seed)
     for (const auto& mode : ROUNDING_MODES)
     {
       Random random(static_cast<std::uint64_t>(seed));

@@ -17,7 +17,7 @@ class IntervalQueryContainment : public ModeAndSpread
 
 TEST_P(IntervalQueryContainment, midLiesInsideAndRadiusAndWidthReachTheEnds)
 {
-  for (int seed = 0; seed < caseCount(); ++seed)
+  for (int seed = 0; seed < cases(); ++seed)
   {
     const Interval x = operands(seed).interval();
     struct Queries

@@ -46,7 +46,7 @@ protected:
 
 TEST_P(IntervalTightness, resultsAreTheSmallestThatDoublesAllow)
 {
-  for (int seed = 0; seed < caseCount(); ++seed)
+  for (int seed = 0; seed < cases(); ++seed)
   {
     Operands values = operands(seed);
     const Interval x = values.interval();
@@ -71,7 +71,7 @@ class IntervalInclusion : public ModeAndSpread
 
 TEST_P(IntervalInclusion, partsGivePartsOfTheResult)
 {
-  for (int seed = 0; seed < caseCount(); ++seed)
+  for (int seed = 0; seed < cases(); ++seed)
   {
     Operands values = operands(seed);
     const Interval x = values.interval();

@@ -46,7 +46,7 @@ std::ostream& operator<<(std::ostream& stream, const Finding& x)
 template <class Judge>
 void forEachOperation(const RoundingMode& mode, const Spread& spread, const Judge& judge)
 {
-  for (int seed = 0; seed < caseCount() && !testing::Test::HasFailure(); ++seed)
+  for (int seed = 0; seed < cases() && !testing::Test::HasFailure(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Operands operands(spread, static_cast<std::uint64_t>(seed));

@@ -11,17 +11,17 @@ namespace pkm_workspace
 {
 namespace test
 {
-/// How many random cases a property gets for each of its parameters: PKM_WORKSPACE_TEST_CASES, or @p by_default.
-inline int caseCount(int by_default = 100)
+/// How many random cases a law is tried on: @p few, or PKM_WORKSPACE_TEST_CASES times as many.
+inline int cases(int few = 100)
 {
   const char* const text = std::getenv("PKM_WORKSPACE_TEST_CASES");
   if (text == nullptr)
-    return by_default;
+    return few;
   char* end = nullptr;
-  const long count = std::strtol(text, &end, 10);
-  if (end == text || *end != '\0' || count < 1 || count > 100000000)
-    throw std::invalid_argument("PKM_WORKSPACE_TEST_CASES = '" + std::string(text) + "' must be from 1 to 100000000");
-  return static_cast<int>(count);
+  const long factor = std::strtol(text, &end, 10);
+  if (end == text || *end != '\0' || factor < 1 || factor > 100000)
+    throw std::invalid_argument("PKM_WORKSPACE_TEST_CASES = '" + std::string(text) + "' must be from 1 to 100000");
+  return few * static_cast<int>(factor);
 }
 
 /// Random numbers that are the same on every machine: the distributions of the standard library are not.

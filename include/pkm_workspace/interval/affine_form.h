@@ -11,9 +11,9 @@ namespace pkm_workspace
 {
 /// The set of functions f over delta in [-1, 1]^3 with |f(delta) - (center + gradient . delta)| <= radius.
 ///
-/// Guaranteed: if f and g are members of two forms, then f op g is a member of the result of op; rounding errors of any mode
-/// are part of the radius (each operation relative to its magnitude, see rounding::roundoff). Overestimation is of second order
-/// in the gradients. No branches, no allocation; Real is double or a multi-precision type.
+/// Guaranteed: if f and g are members of two forms, then f op g is a member of the result of op; rounding errors of any
+/// mode are part of the radius (each operation relative to its magnitude, see rounding::roundoff). Overestimation is of
+/// second order in the gradients. No branches, no allocation; Real is double or a multi-precision type.
 template <class Real>
 struct AffineForm
 {
@@ -45,7 +45,8 @@ struct AffineForm
 
 namespace affine
 {
-/// Adds to a radius what @p operations roundings on numbers of at most @p magnitude can cost, its own summation included.
+/// Adds to a radius what @p operations roundings on numbers of at most @p magnitude can cost, its own summation
+/// included.
 template <class Real>
 inline Real widened(Real radius, Real magnitude, int operations)
 {
@@ -138,8 +139,8 @@ inline AffineForm<Real> operator*(const AffineForm<Real>& a, const AffineForm<Re
   return product;
 }
 
-/// Encloses sqrt(f) wherever f >= floor; where f < floor nothing is said, and where that is everywhere the result has no
-/// meaning. It is the chord of the square root over the range of f, moved to the middle of its error.
+/// Encloses sqrt(f) wherever f >= floor; where f < floor nothing is said, and where that is everywhere the result has
+/// no meaning. It is the chord of the square root over the range of f, moved to the middle of its error.
 /// @param floor >= 0 [unit of f]
 template <class Real>
 inline AffineForm<Real> sqrtAbove(const AffineForm<Real>& a, const Real& floor)

@@ -16,17 +16,11 @@ struct Box
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();
 
   /// A double near the middle, inside the box.
-  Eigen::Vector3d center() const
-  {
-    return (0.5 * lower + 0.5 * upper).cwiseMax(lower).cwiseMin(upper);
-  }
+  Eigen::Vector3d center() const { return (0.5 * lower + 0.5 * upper).cwiseMax(lower).cwiseMin(upper); }
   /// Encloses the set of coordinates along @p axis.
   Interval side(int axis) const { return { lower[axis], upper[axis] }; }
   /// Upper bounds of the distances from center() to the faces.
-  Eigen::Vector3d halfWidths() const
-  {
-    return { side(0).radius(), side(1).radius(), side(2).radius() };
-  }
+  Eigen::Vector3d halfWidths() const { return { side(0).radius(), side(1).radius(), side(2).radius() }; }
   double width(int axis) const { return upper[axis] - lower[axis]; }
   /// The axis of the widest side; the first of equals.
   int widestAxis() const

@@ -69,8 +69,7 @@ inline IntervalMatrix operator*(const IntervalMatrix& m, const IntervalMatrix& n
   IntervalMatrix product;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      product[row][column] =
-          dot(m[row], IntervalVector{ n[0][column], n[1][column], n[2][column] });
+      product[row][column] = dot(m[row], IntervalVector{ n[0][column], n[1][column], n[2][column] });
   return product;
 }
 

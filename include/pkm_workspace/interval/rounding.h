@@ -26,8 +26,8 @@ struct Bounds
 };
 
 /// Enclosures of one exact operation by neighbouring doubles: as tight as doubles allow, whatever the rounding mode.
-/// Each takes the sign of the rounding error from an error-free transformation (Dekker 1971; Boldo, Graillat, Muller 2017
-/// for modes other than to nearest). Infinite operands follow IEEE 1788: 0 * infinity is 0.
+/// Each takes the sign of the rounding error from an error-free transformation (Dekker 1971; Boldo, Graillat, Muller
+/// 2017 for modes other than to nearest). Infinite operands follow IEEE 1788: 0 * infinity is 0.
 Bounds add(double a, double b);
 Bounds multiply(double a, double b);
 Bounds divide(double a, double b);

@@ -15,12 +15,12 @@ namespace pkm_workspace
 /// from the slider point A to the platform point B. Lengths [m], all in the machine's root frame.
 struct Leg
 {
-  std::string joint = "";        ///< name of the prismatic joint
-  IntervalVector origin;         ///< a: slider point A at joint value 0 [m]
-  IntervalVector axis;           ///< e: unit direction of the rail
-  IntervalVector platform;       ///< b: platform point B seen from the tool point P [m]
-  Interval length = 1.0;         ///< L: strut length |AB| [m]
-  int working_mode = 1;          ///< s: sign of eta = (strut vector) . e, +1 or -1
+  std::string joint = "";                ///< name of the prismatic joint
+  IntervalVector origin;                 ///< a: slider point A at joint value 0 [m]
+  IntervalVector axis;                   ///< e: unit direction of the rail
+  IntervalVector platform;               ///< b: platform point B seen from the tool point P [m]
+  Interval length = 1.0;                 ///< L: strut length |AB| [m]
+  int working_mode = 1;                  ///< s: sign of eta = (strut vector) . e, +1 or -1
   Interval limits = Interval::entire();  ///< values that the prismatic joint may take [m]
 };
 
@@ -41,7 +41,8 @@ public:
   /// @param name of the machine
   /// @param legs in the order of the joints
   /// @param zero tool point of the assembled zero configuration [m]: its det A fixes the aspect of the machine
-  /// @throws std::invalid_argument listing everything that is wrong: not finite, axis not of unit length, length not positive,
+  /// @throws std::invalid_argument listing everything that is wrong: not finite, axis not of unit length, length not
+  /// positive,
   ///         working mode not +-1, zero not reachable, a serial or parallel singularity at zero
   Machine(std::string name, Legs legs, const Eigen::Vector3d& zero);
 
@@ -58,7 +59,7 @@ public:
   int aspect() const { return aspect_; }
   /// Whether the axes of the three rails are the same numbers: then nothing but the joint values changes along them.
   bool hasParallelRails() const;
-  /// Whether all three joints have two finite limits, or any one of them.
+  /// Whether any joint has a limit.
   bool hasJointLimits() const;
   /// The largest strut length, rounded up [m]: the scale of everything.
   double scale() const;
@@ -78,10 +79,10 @@ private:
 /// The machine as it stands at one tool point: enclosures of everything that section 3.2 of the paper names.
 struct Configuration
 {
-  IntervalVector rho;               ///< joint values [m]
-  IntervalVector eta;               ///< d . e per leg [m]; 0 at a serial singularity
+  IntervalVector rho;                   ///< joint values [m]
+  IntervalVector eta;                   ///< d . e per leg [m]; 0 at a serial singularity
   std::array<IntervalVector, 3> strut;  ///< d = vector from A to B, per leg [m]: the rows of A
-  Interval det_a;                   ///< det A [m^3]; 0 at a parallel singularity
+  Interval det_a;                       ///< det A [m^3]; 0 at a parallel singularity
 };
 
 /// Inverse kinematics in the machine's working mode.
@@ -93,7 +94,8 @@ std::optional<Configuration> configurationAt(const Machine& machine, const Eigen
 /// Inverse kinematics in floating point. @return rho [m], or nothing where a leg does not reach.
 std::optional<Eigen::Vector3d> inverseKinematics(const Machine& machine, const Eigen::Vector3d& p);
 
-/// Forward kinematics in floating point: the tool point with the machine's working mode in every leg and its sign of det A.
+/// Forward kinematics in floating point: the tool point with the machine's working mode in every leg and its sign of
+/// det A.
 /// @param rho joint values [m] @return the tool point [m], or nothing when no assembly of that kind exists
 std::optional<Eigen::Vector3d> forwardKinematics(const Machine& machine, const Eigen::Vector3d& rho);
 
@@ -106,7 +108,8 @@ struct Jacobians
   Eigen::Matrix3d j;          ///< J = A^-1 B: tool velocity of joint velocities
 };
 
-/// @return nothing where a leg does not reach or stands at a serial singularity. J holds infinities at a parallel one.
+/// @return nothing where a leg does not reach or stands at a serial singularity. At a parallel one J is huge or not
+/// finite.
 std::optional<Jacobians> jacobians(const Machine& machine, const Eigen::Vector3d& p);
 
 /// Velocity transmission factors psi: the singular values of J^-1, ascending, in floating point (paper, section 2.1.1).

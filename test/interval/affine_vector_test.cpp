@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/interval/affine_vector.h"
+
+#include <gtest/gtest.h>
+
+#include "support/forms.h"
+#include "support/mode_and_spread.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+constexpr int MEMBERS = 4;
+
+std::string toText(const Vector& v)
+{
+  std::ostringstream text;
+  for (std::size_t k = 0; k < 3; ++k)
+    text << Form{ v.center[k], v.linear[k], v.radius } << " along " << v.along << " * " << v.axis[k] << "\n";
+  return text.str();
+}
+
+/// A number known up to some ulps, or exactly.
+Interval constant(Forms& forms)
+{
+  const double x = forms.number();
+  return forms.random().once(2) ? Interval(x) : hull(Interval(x), Interval(x + forms.error() * 0x1p-20));
+}
+
+IntervalVector constants(Forms& forms)
+{
+  return { constant(forms), constant(forms), constant(forms) };
+}
+
+ExactVector endsOf(const IntervalVector& v, Forms& forms)
+{
+  const auto end = [&](const Interval& x) { return Exact(forms.random().once(2) ? x.lower() : x.upper()); };
+  return { end(v[0]), end(v[1]), end(v[2]) };
+}
+
+Box randomBox(Forms& forms)
+{
+  const auto side = [&] { return hull(Interval(forms.number()), Interval(forms.number())); };
+  return boundingBox({ side(), side(), side() });
+}
+
+class AffineVectorContainment : public testing::TestWithParam<RoundingMode>
+{
+protected:
+  template <class Check>
+  void forEachCase(const Check& check)
+  {
+    for (int seed = 0; seed < cases(400) && !HasFailure(); ++seed)
+    {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      Forms forms(static_cast<std::uint64_t>(seed));
+      check(forms);
+    }
+  }
+};
+
+TEST_P(AffineVectorContainment, dotHoldsThoseOfAllMembers)
+{
+  forEachCase([this](Forms& forms) {
+    const Vector u = forms.vector();
+    const Vector v = forms.vector();
+    const Form product = under<Form>(GetParam(), [&] { return dot(u, v); });
+    const Form square = under<Form>(GetParam(), [&] { return dot(u, u); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+    {
+      const ExactVector x = forms.member(u);
+      ASSERT_TRUE(forms.holds(product, dot(x, forms.member(v)))) << toText(u) << toText(v) << product;
+      ASSERT_TRUE(forms.holds(square, dot(x, x))) << toText(u) << square;
+    }
+  });
+}
+
+TEST_P(AffineVectorContainment, dotHoldsTheRoundingOfPerpendicularErrors)
+{
+  forEachCase([this](Forms& forms) {
+    Vector u = {};
+    u.axis = { forms.random().uniform(-1.0, 1.0), forms.random().uniform(-1.0, 1.0),
+               forms.random().uniform(-1.0, 1.0) };
+    u.along = forms.error();
+    const Vector v = forms.errorAcross(u);
+    const Form product = under<Form>(GetParam(), [&] { return dot(u, v); });
+    ASSERT_TRUE(forms.holds(product, dot(forms.member(u), forms.member(v)))) << toText(u) << toText(v) << product;
+  });
+}
+
+TEST_P(AffineVectorContainment, determinantAndComponentsHoldThoseOfAllMembers)
+{
+  forEachCase([this](Forms& forms) {
+    const std::array<Vector, 3> rows = { forms.vector(), forms.vector(), forms.vector() };
+    const Form got = under<Form>(GetParam(), [&] { return determinant(rows[0], rows[1], rows[2]); });
+    const Form first = under<Form>(GetParam(), [&] { return component(rows[0], 1); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+    {
+      const std::array<ExactVector, 3> x = { forms.member(rows[0]), forms.member(rows[1]), forms.member(rows[2]) };
+      ASSERT_TRUE(forms.holds(got, determinant(x[0], x[1], x[2]))) << got;
+      ASSERT_TRUE(forms.holds(first, x[0][1])) << toText(rows[0]) << first;
+    }
+  });
+}
+
+TEST_P(AffineVectorContainment, mapOfABoxHoldsThatOfEveryPoint)
+{
+  forEachCase([this](Forms& forms) {
+    const IntervalMatrix m = { constants(forms), constants(forms), constants(forms) };
+    const IntervalVector c = constants(forms);
+    const Box box = randomBox(forms);
+    const Vector image = under<Vector>(GetParam(), [&] {
+      return mapBox(EnclosedMatrix<double>(m), EnclosedVector<double>(c), CenteredBox<double>(box));
+    });
+    const auto centered = under<CenteredBox<double>>(GetParam(), [&] { return CenteredBox<double>(box); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+    {
+      ExactVector offset = endsOf(c, forms);
+      for (std::size_t k = 0; k < 3; ++k)
+        offset[k] = Exact(centered.center[k]) + Exact(centered.half_widths[k]) * forms.delta()[k] - offset[k];
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_TRUE(forms.holds({ image.center[k], image.linear[k], image.radius }, dot(endsOf(m[k], forms), offset)))
+            << toText(image);
+    }
+  });
+}
+
+TEST_P(AffineVectorContainment, addingAFormAlongAVectorKeepsItsErrorThere)
+{
+  forEachCase([this](Forms& forms) {
+    Vector v = forms.vector();
+    v.along = 0.0;
+    const Form f = forms.form();
+    const IntervalVector a = constants(forms);
+    const Vector sum = under<Vector>(GetParam(), [&] { return addAlong(v, f, EnclosedVector<double>(a)); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+    {
+      const ExactVector x = forms.member(v);
+      const ExactVector axis = endsOf(a, forms);
+      const Exact error = forms.within(f.radius);
+      const Exact factor = forms.linear(f.center, f.gradient) + error;
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_TRUE(
+            forms.holds({ sum.center[k], sum.linear[k], sum.radius }, x[k] + factor * axis[k] - error * sum.axis[k]))
+            << toText(v) << f << "\n"
+            << toText(sum);
+      ASSERT_EQ(sum.along, f.radius);
+    }
+  });
+}
+
+TEST_P(AffineVectorContainment, centeredBoxReachesEveryFace)
+{
+  forEachCase([this](Forms& forms) {
+    const Box box = randomBox(forms);
+    const auto centered = under<CenteredBox<double>>(GetParam(), [&] { return CenteredBox<double>(box); });
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto k = static_cast<std::size_t>(axis);
+      const Exact half = Exact(centered.half_widths[k]);
+      ASSERT_FALSE((Exact(box.upper[axis]) - centered.center[k] - half).certainlyPositive());
+      ASSERT_FALSE((Exact(centered.center[k]) - box.lower[axis] - half).certainlyPositive());
+    }
+  });
+}
+
+TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
+{
+  forEachCase([this](Forms& forms) {
+    const Box box = randomBox(forms);
+    const double size = std::abs(forms.number());
+    const Eigen::Vector3d offset(forms.random().uniform(-1.0, 1.0), forms.random().sign(), 0.0);
+    const auto start = under<CenteredBox<double>>(GetParam(), [&] { return CenteredBox<double>(box); });
+    const auto once = under<CenteredBox<double>>(GetParam(), [&] { return start.moved(size, offset); });
+    const auto twice = under<CenteredBox<double>>(GetParam(), [&] { return once.moved(size, offset); });
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Exact step = Exact(size) * offset[static_cast<int>(k)];
+      ASSERT_TRUE((Exact(start.center[k]) + step - once.center[k]).mayLieIn(-once.slack, once.slack));
+      ASSERT_TRUE((Exact(start.center[k]) + step + step - twice.center[k]).mayLieIn(-twice.slack, twice.slack));
+    }
+    ASSERT_EQ(twice.half_widths, start.half_widths);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AffineVectorContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
+
+constexpr double ULP = std::numeric_limits<double>::epsilon();
+
+TEST(AffineVectorTightness, dotOfAVectorWithItselfOverestimatesBySecondOrder)
+{
+  Vector v;
+  v.center = { 1.0, 2.0, 0.0 };
+  v.linear = { { { 0.5, 0.0, 0.0 }, { 0.0, 0.25, 0.0 }, { 0.0, 0.0, 0.125 } } };
+  const Form square = dot(v, v);
+  EXPECT_NEAR(square.radius, (0.25 + 0.0625 + 0.015625) / 2.0, 40.0 * ULP * v.magnitude() * v.magnitude());
+  EXPECT_EQ(square.center, 5.0 + (0.25 + 0.0625 + 0.015625) / 2.0);
+  EXPECT_EQ(square.gradient, (std::array<double, 3>{ 1.0, 1.0, 0.0 }));
+}
+
+TEST(AffineVectorTightness, anErrorAlongAnAxisDoesNotReachWhatIsPerpendicular)
+{
+  Vector v;
+  v.center = { 1.0, 0.0, 0.0 };
+  v.linear = {};
+  Vector u = v;
+  u.center = { 0.0, 2.0, 0.0 };
+  u.along = 0.5;
+  u.axis = { 0.0, 0.0, 1.0 };
+  EXPECT_LE(dot(u, v).radius, 80.0 * ULP * u.magnitude() * v.magnitude()) << "the error of u is across v";
+  EXPECT_NEAR(dot(u, u).radius, 0.25, 80.0 * ULP * u.magnitude() * u.magnitude());
+}
+}  // namespace
+}  // namespace test
+}  // namespace pkm_workspace
