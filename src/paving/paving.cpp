@@ -139,9 +139,6 @@ void PavingQuery::validate(Problems& problems) const
 
 Paving pave(const Machine& machine, const PavingQuery& query)
 {
-  Problems problems;
-  query.validate(problems);
-  throwProblems(problems);
-  return Paver(machine, query).run();
+  return Paver(machine, validated(query)).run();
 }
 }  // namespace pkm_workspace

@@ -38,8 +38,9 @@ Eigen::Vector3d BadPointSearch::descend(const Eigen::Vector3d& start, int steps)
   return point;
 }
 
-bool BadPointSearch::isProvedBad(const Eigen::Vector3d& point) const
+std::optional<Eigen::Vector3d> BadPointSearch::proveBad(const Eigen::Vector3d& point) const
 {
-  return shape_.contains(point, Box{ center_, center_ }, size_) && test_.classify(point) == BoxVerdict::OUTSIDE;
+  const auto inside = nearestInside(shape_, point, center_, size_);
+  return inside && test_.classify(*inside) == BoxVerdict::OUTSIDE ? inside : std::nullopt;
 }
 }  // namespace pkm_workspace

@@ -61,6 +61,28 @@ public:
     return true;
   }
 
+  /// A box avoids a point on one side at least; if only one side is left over the centers, the distance to it is
+  /// affine.
+  std::optional<AffineForm<double>> avoidance(const Eigen::Vector3d& point, const Box& centers,
+                                              double size) const override
+  {
+    AffineForm<double> beyond;  // how far the point is beyond the one side that is left
+    beyond.center = -1.0;
+    int sides_left = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double direction : { 1.0, -1.0 })
+      {
+        const Interval distance = Interval(direction) * (Interval(point[axis]) - centers.side(axis));
+        if (distance.upper() <= half(size, axis).lower())
+          continue;
+        beyond = Enclosed<double>(Interval(-direction)) *
+                     coordinate(CenteredBox<double>(centers), static_cast<std::size_t>(axis)) +
+                 Enclosed<double>(Interval(direction * point[axis]) - half(size, axis));
+        ++sides_left;
+      }
+    return sides_left <= 1 ? std::optional<AffineForm<double>>(beyond) : std::nullopt;
+  }
+
   Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const override
   {
     const Eigen::Vector3d reach = size * halfExtents();

@@ -15,9 +15,11 @@ constexpr int GRID = 4;
 constexpr std::size_t STARTS = 4;
 /// How far below the local optimum a region is certified, as shares of the accuracy; the first that is proved counts.
 constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
+/// If none of these is, a region is certified that is this much smaller.
+constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
 constexpr std::int64_t VERIFICATION_BOXES = 20000;
 /// New witness points that one climb may learn from failed certificates.
-constexpr int LESSONS = 12;
+constexpr int LESSONS = 24;
 /// Boxes of centers narrower than this, relative to the longest strut, are beyond what doubles can settle.
 constexpr double LEAST_WIDTH = 1e-13;
 }  // namespace
@@ -50,36 +52,52 @@ double CenterSearch::upperBound() const
   return std::min(space_.size_bound, std::max({ incumbent_.size, excluded_bound_, unsettled_bound_, open }));
 }
 
-/// Proves a region a little below the candidate and makes it the incumbent if it is larger.
-bool CenterSearch::certify(const Candidate& candidate)
+/// Makes the region the incumbent if it is larger and proved. @return a bad point that stands in the way
+std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
 {
-  for (const double share : BACK_OFFS)
-  {
-    const double size = candidate.size - std::max(share * query_.accuracy, 1e-13 * scale_);
-    if (size <= incumbent_.size)
-      return false;
-    const ContainmentResult proof =
-        checkContainment(test_, *query_.shape, candidate.center, size, VERIFICATION_BOXES, query_.budget.stop);
-    verification_boxes_ += proof.boxes;
-    if (proof.verdict == Containment::INSIDE)
-    {
-      incumbent_ = { candidate.center, size };
-      return true;
-    }
-    if (proof.verdict == Containment::OUTSIDE)
-    {
-      center_test_.addBadPoint(*proof.bad_point);
-      return false;
-    }
-  }
-  return false;
+  if (candidate.size <= incumbent_.size)
+    return std::nullopt;
+  const ContainmentResult proof =
+      checkContainment(test_, *query_.shape, candidate.center, candidate.size, VERIFICATION_BOXES, query_.budget.stop);
+  verification_boxes_ += proof.boxes;
+  if (proof.verdict == Containment::INSIDE)
+    incumbent_ = candidate;
+  return proof.bad_point;
 }
 
+/// Certifies a region a little smaller than the candidate. @return whether one was found
+bool CenterSearch::certifyBelow(const Candidate& candidate)
+{
+  const double before = incumbent_.size;
+  for (const double share : BACK_OFFS)
+    if (incumbent_.size == before)
+      certify({ candidate.center, candidate.size - std::max(share * query_.accuracy, 1e-13 * scale_) });
+  for (const double share : SHRINKAGES)
+    if (incumbent_.size == before)
+      certify({ candidate.center, share * candidate.size });
+  return incumbent_.size > before;
+}
+
+void CenterSearch::teach(const Candidate& candidate, const Eigen::Vector3d& bad_point)
+{
+  center_test_.addBadPoint(bad_point);
+  center_test_.learn((bad_point - candidate.center) / candidate.size);
+}
+
+/// Climbs and certifies; a bad point that the witness points missed becomes one of them, and the climb starts anew.
 void CenterSearch::climbFrom(const Candidate& start)
 {
-  const Candidate found = local_search_.climb(start, center_test_.witnesses());
-  if (found.size > incumbent_.size)
-    certify(found);
+  Candidate found = start;
+  for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
+  {
+    found = local_search_.climb(start, center_test_.witnesses());
+    const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * query_.accuracy });
+    if (!bad_point)
+      break;
+    teach(found, *bad_point);
+  }
+  if (found.size > incumbent_.size + 0.5 * query_.accuracy)
+    certifyBelow(found);
 }
 
 void CenterSearch::start()
@@ -102,12 +120,35 @@ void CenterSearch::start()
   open_.push({ centers, space_.size_bound, 0.0 });
 }
 
-/// If the middle of a box that could not be excluded seems to carry a region of the size wanted, climbs from there.
-void CenterSearch::tryCenter(const Box& centers)
+/// Asks whether the middle of a box that could not be excluded carries a region of that size: if so, climbs from there;
+/// if not, the bad point serves the boxes to come.
+void CenterSearch::tryCenter(const Box& centers, double size)
 {
-  const Eigen::Vector3d center = centers.center();
-  if (center_test_.margin(center, target(), 0.0) >= 0.0)
-    climbFrom({ center, target() });
+  const Candidate candidate{ centers.center(), size };
+  if (center_test_.margin(candidate.center, size, 0.0) < 0.0)
+    return;
+  const auto bad_point = certify(candidate);
+  if (bad_point)
+    teach(candidate, *bad_point);
+  else if (incumbent_.size == size)
+  {
+    grow();
+    climbFrom(incumbent_);
+  }
+}
+
+/// Enlarges the incumbent about its center by steps that double, as C of the paper's section 2.4 does.
+void CenterSearch::grow()
+{
+  for (double step = query_.accuracy;; step *= 2.0)
+  {
+    const Candidate larger{ incumbent_.center, incumbent_.size + step };
+    const auto bad_point = certify(larger);
+    if (bad_point)
+      teach(larger, *bad_point);
+    if (incumbent_.size != larger.size)
+      return;
+  }
 }
 
 void CenterSearch::process(const Node& node)
@@ -121,7 +162,7 @@ void CenterSearch::process(const Node& node)
   }
   Node smaller = node;
   smaller.room = center_test_.room();
-  tryCenter(node.centers);
+  tryCenter(node.centers, size);
   lowerBound(smaller);
   const int axis = node.centers.widestAxis();
   if (node.centers.width(axis) < LEAST_WIDTH * scale_ || !node.centers.canBisect(axis))
@@ -141,8 +182,12 @@ void CenterSearch::process(const Node& node)
 void CenterSearch::lowerBound(Node& node)
 {
   const double size = 0.5 * (target() + node.bound);
-  if (size < node.bound && center_test_.excludes(node.centers, size))
+  if (size >= node.bound)
+    return;
+  if (center_test_.excludes(node.centers, size))
     node.bound = size;
+  else
+    tryCenter(node.centers, size);
 }
 
 bool CenterSearch::outOfBudget()

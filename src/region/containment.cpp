@@ -62,11 +62,10 @@ private:
       return false;
     const Eigen::Vector3d worst = search_.descend(start, STEPS);
     least_margin_ = std::min(margin, test_.margin(worst));
-    if (!search_.isProvedBad(worst))
-      return false;
-    result_.verdict = Containment::OUTSIDE;
-    result_.bad_point = worst;
-    return true;
+    result_.bad_point = search_.proveBad(worst);
+    if (result_.bad_point)
+      result_.verdict = Containment::OUTSIDE;
+    return result_.bad_point.has_value();
   }
 
   const BoxTest& test_;

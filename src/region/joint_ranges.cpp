@@ -1,110 +1,132 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/joint_ranges.h"
 
-#include <queue>
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
-
-#include "pkm_workspace/dexterity/machine_forms.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-/// Which quantity of a leg is meant.
-enum class Quantity
-{
-  JOINT,
-  ETA
-};
+using Eigen::Vector3d;
 
-constexpr int MAX_BOXES = 20000;
+/// Steps of the projected gradient method; it converges geometrically, and a proof does not rest on it.
+constexpr int STEPS = 400;
 
-/// Encloses the least value of sign * quantity over c + h K by branch and bound (best first).
-class Minimum
+/// f = weight . (p - c) - height, where height = sqrt(L^2 - |q|^2) is a concave function of p (a sphere around the
+/// rail); weight is s e for the joint value times s, and 0 for the height alone. So f is convex: least somewhere
+/// within, largest at a vertex.
+class ConvexFunction
 {
 public:
-  Minimum(const MachineModel<double>& model, std::size_t leg, Quantity quantity, double sign)
-    : model_(model), leg_(leg), quantity_(quantity), sign_(sign)
+  ConvexFunction(const Machine& machine, int leg, const IntervalVector& weight)
+    : center_(machine.center(leg))
+    , projector_(machine.projector(leg))
+    , length_(machine.leg(leg).length)
+    , weight_(weight)
   {}
 
-  Interval over(const Shape& shape, const Eigen::Vector3d& center, double size, double accuracy) const
+  struct Value
   {
-    double attained = form(Box{ center, center }).upper();
-    for (const Eigen::Vector3d& k : shape.extremePoints())
-      attained = std::min(attained, form(cornerBox(center, size, k)).upper());
-    std::priority_queue<Node> open;
-    const Box all = shape.boundingBox(center, size);
-    open.push({ form(all).lower(), all });
-    for (int boxes = 0; boxes < MAX_BOXES && attained - open.top().lower > accuracy; ++boxes)
-    {
-      const Node node = open.top();
-      const int axis = node.box.widestAxis();
-      if (!node.box.canBisect(axis))
-        break;
-      open.pop();
-      const auto halves = node.box.bisect(axis);
-      for (const Box& half : { halves.first, halves.second })
-      {
-        if (shape.misses(half, center, size))
-          continue;
-        const Eigen::Vector3d point = shape.nearest(half.center(), center, size);
-        if (shape.contains(point, Box{ center, center }, size))
-          attained = std::min(attained, form(Box{ point, point }).upper());
-        open.push({ std::max(node.lower, form(half).lower()), half });
-      }
-    }
-    return Interval(std::min(open.top().lower, attained), attained);
+    Interval value;
+    IntervalVector gradient;
+  };
+
+  /// @throws std::domain_error where the strut does not surely reach
+  Value at(const IntervalVector& p) const
+  {
+    const IntervalVector offset = p - center_;
+    const IntervalVector across = projector_ * offset;
+    const Interval radicand = sqr(length_) - squaredNorm(across);
+    if (!(radicand.lower() > 0.0))
+      throw std::domain_error("joint ranges: a strut does not reach, or just reaches, part of the region");
+    const Interval height = sqrt(radicand);
+    return { dot(weight_, offset) - height, weight_ + (Interval(1.0) / height) * across };
+  }
+
+  /// A bound, for step lengths, on the second derivatives where the value is at least the one given: L^2 / height^3.
+  double curvature(double least_height) const
+  {
+    return length_.upper() * length_.upper() / (least_height * least_height * least_height);
   }
 
 private:
-  struct Node
-  {
-    double lower;
-    Box box;
-    bool operator<(const Node& other) const { return lower > other.lower; }
-  };
-
-  /// A box that holds the exact point c + h k and little else.
-  static Box cornerBox(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& k)
-  {
-    return boundingBox(enclose(center) + Interval(size) * enclose(k));
-  }
-
-  AffineForm<double> form(const Box& box) const
-  {
-    const CenteredBox<double> centered(box);
-    const MachineForms<double> forms = model_.evaluate(centered);
-    if (forms.radicand[leg_].upper() < 0.0)
-      throw std::domain_error("joint ranges: a strut does not reach part of the region");
-    const AffineForm<double> value =
-        quantity_ == Quantity::JOINT ? model_.joint(leg_, forms, centered) : forms.eta[leg_];
-    return sign_ > 0.0 ? value : -value;
-  }
-
-  const MachineModel<double>& model_;
-  std::size_t leg_;
-  Quantity quantity_;
-  double sign_;
+  IntervalVector center_;
+  IntervalMatrix projector_;
+  Interval length_;
+  IntervalVector weight_;
 };
+
+/// The region that is looked at.
+struct Region
+{
+  const Shape& shape;
+  Vector3d center;
+  double size;
+
+  IntervalVector vertex(const Vector3d& k) const { return enclose(center) + Interval(size) * enclose(k); }
+};
+
+/// Encloses the largest value: a convex function takes it at a vertex.
+Interval maximum(const ConvexFunction& f, const Region& region)
+{
+  Interval largest = f.at(enclose(region.center)).value;
+  for (const Vector3d& k : region.shape.extremePoints())
+  {
+    const Interval value = f.at(region.vertex(k)).value;
+    largest = Interval(std::max(largest.lower(), value.lower()), std::max(largest.upper(), value.upper()));
+  }
+  return largest;
+}
+
+/// Encloses the least value: it is attained nearly at the point that the descent ends at, and a convex function lies
+/// above its tangent plane there.
+Interval minimum(const ConvexFunction& f, const Region& region, double step)
+{
+  const Shape& shape = region.shape;
+  Vector3d point = region.center;
+  for (int k = 0; k < STEPS; ++k)
+  {
+    const Vector3d next = shape.nearest(point - step * mid(f.at(enclose(point)).gradient), region.center, region.size);
+    if (next == point)
+      break;
+    point = next;
+  }
+  point = nearestInside(shape, point, region.center, region.size).value_or(region.center);
+  const ConvexFunction::Value value = f.at(enclose(point));
+  const IntervalVector reach = enclose(shape.boundingBox(region.center, region.size)) - enclose(point);
+  const Interval tangent = value.value + dot(value.gradient, reach);
+  return Interval(std::min(tangent.lower(), value.value.lower()), value.value.upper());
+}
+
+Interval leastHeight(const Machine& machine, int leg, const Region& region)
+{
+  return -maximum(ConvexFunction(machine, leg, IntervalVector{}), region);
+}
+
+JointRange rangeOf(const Machine& machine, int leg, const Region& region)
+{
+  const Interval sign(machine.leg(leg).working_mode);
+  const ConvexFunction joint(machine, leg, sign * machine.leg(leg).axis);  // s rho
+  const ConvexFunction height(machine, leg, IntervalVector{});
+  const Interval least_height = leastHeight(machine, leg, region);
+  const double step = 1.0 / joint.curvature(least_height.lower());
+  const Interval first = minimum(joint, region, step);
+  const Interval last = maximum(joint, region);
+  JointRange range;
+  range.lower = machine.leg(leg).working_mode > 0 ? first : -last;
+  range.upper = machine.leg(leg).working_mode > 0 ? last : -first;
+  const Interval not_negative(0.0, std::numeric_limits<double>::infinity());
+  range.stroke = intersection(range.upper - range.lower, not_negative);
+  range.across = intersection(-minimum(height, region, step) - least_height, not_negative);
+  return range;
+}
 }  // namespace
 
-std::array<JointRange, 3> jointRanges(const Machine& machine, const Shape& shape, const Eigen::Vector3d& center,
-                                      double size, double accuracy)
+std::array<JointRange, 3> jointRanges(const Machine& machine, const Shape& shape, const Vector3d& center, double size)
 {
-  Criterion reachable;
-  reachable.set = Criterion::Set::REACHABLE;
-  const MachineModel<double> model(machine, reachable);
-  std::array<JointRange, 3> ranges;
-  for (std::size_t leg = 0; leg < 3; ++leg)
-  {
-    const auto least = [&](Quantity quantity, double sign) {
-      return Minimum(model, leg, quantity, sign).over(shape, center, size, accuracy);
-    };
-    ranges[leg].lower = least(Quantity::JOINT, 1.0);
-    ranges[leg].upper = -least(Quantity::JOINT, -1.0);
-    ranges[leg].stroke = ranges[leg].upper - ranges[leg].lower;
-    ranges[leg].across = -least(Quantity::ETA, -1.0) - least(Quantity::ETA, 1.0);
-  }
-  return ranges;
+  const Region region{ shape, center, size };
+  return { rangeOf(machine, 0, region), rangeOf(machine, 1, region), rangeOf(machine, 2, region) };
 }
 }  // namespace pkm_workspace

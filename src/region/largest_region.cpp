@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_region.h"
 
-#include <algorithm>
-
 #include "pkm_workspace/region/center_search.h"
 
 namespace pkm_workspace
 {
-namespace
-{
-void finish(const Machine& machine, const RegionQuery& query, LargestRegion& region)
-{
-  if (region.size > 0.0)
-    region.joint_ranges = jointRanges(machine, *query.shape, region.center, region.size,
-                                      std::min(1e-3 * query.accuracy, 1e-6 * machine.scale()));
-}
-}  // namespace
-
 void RegionQuery::validate(Problems& problems) const
 {
   if (!shape)
@@ -32,11 +20,9 @@ void RegionQuery::validate(Problems& problems) const
 
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)
 {
-  Problems problems;
-  query.validate(problems);
-  throwProblems(problems);
-  LargestRegion region = CenterSearch(machine, query).run();
-  finish(machine, query, region);
+  LargestRegion region = CenterSearch(machine, validated(query)).run();
+  if (region.size > 0.0)
+    region.joint_ranges = jointRanges(machine, *query.shape, region.center, region.size);
   return region;
 }
 

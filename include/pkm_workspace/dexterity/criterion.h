@@ -62,4 +62,14 @@ struct Criterion
   /// Appends one sentence for each value that is out of range.
   void validate(Problems& problems) const;
 };
+
+/// @return the value itself @throws std::invalid_argument with everything that its validate() finds
+template <class Values>
+const Values& validated(const Values& values)
+{
+  Problems problems;
+  values.validate(problems);
+  throwProblems(problems);
+  return values;
+}
 }  // namespace pkm_workspace

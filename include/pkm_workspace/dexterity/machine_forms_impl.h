@@ -7,15 +7,12 @@ namespace pkm_workspace
 {
 template <class Real>
 MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criterion)
-  : criterion_(criterion)
+  : criterion_(validated(criterion))
   , psi_max_squared_(sqr(Interval(criterion.psi_max)))
   , minus_psi_min_squared_(-sqr(Interval(criterion.psi_min)))
   , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
 {
-  Problems problems;
-  criterion.validate(problems);
-  throwProblems(problems);
   for (int i = 0; i < 3; ++i)
   {
     const Leg& leg = machine.leg(i);

@@ -151,6 +151,17 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
 }
 }  // namespace affine
 
+/// Encloses one coordinate of the points of the box.
+template <class Real>
+inline AffineForm<Real> coordinate(const CenteredBox<Real>& box, std::size_t axis)
+{
+  AffineForm<Real> form;
+  form.center = box.center[axis];
+  form.gradient[axis] = box.half_widths[axis];
+  form.radius = box.slack;
+  return form;
+}
+
 /// Encloses M (p - c) for p in the box.
 template <class Real>
 inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c,

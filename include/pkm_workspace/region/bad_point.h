@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/shape.h"
@@ -18,8 +19,8 @@ public:
   /// @param steps at the most @return the worst point found [m]
   Eigen::Vector3d descend(const Eigen::Vector3d& start, int steps) const;
 
-  /// Whether the point is proved to lie in the region and to violate the criterion.
-  bool isProvedBad(const Eigen::Vector3d& point) const;
+  /// A point within rounding of the given one that is proved to lie in the region and to violate the criterion, if any.
+  std::optional<Eigen::Vector3d> proveBad(const Eigen::Vector3d& point) const;
 
 private:
   Eigen::Vector3d gradientAt(const Eigen::Vector3d& point, double margin) const;

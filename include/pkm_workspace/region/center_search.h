@@ -40,10 +40,13 @@ private:
 
   void start();
   void climbFrom(const Candidate& start);
-  bool certify(const Candidate& candidate);
+  std::optional<Eigen::Vector3d> certify(const Candidate& candidate);
+  void teach(const Candidate& candidate, const Eigen::Vector3d& bad_point);
+  bool certifyBelow(const Candidate& candidate);
   void process(const Node& node);
   void lowerBound(Node& node);
-  void tryCenter(const Box& centers);
+  void grow();
+  void tryCenter(const Box& centers, double size);
   bool outOfBudget();
   double target() const;
   double upperBound() const;

@@ -17,16 +17,17 @@ namespace pkm_workspace
 /// v this makes v^T S v at c + h k, an affine form in the position delta of c within the box, necessarily non-negative.
 /// A linear programme over all these forms finds weights mu >= 0 whose combination is negative on the whole box
 /// (Farkas); the combination is then checked in sound arithmetic. Vectors are added where the programme's optimum still
-/// violates definiteness (Kelley's cutting planes). Holds its working memory: one object a thread.
+/// violates definiteness (Kelley's cutting planes). Known bad points give forms too: no region may contain them. Holds
+/// its working memory: one object a thread.
 class CenterTest
 {
 public:
   CenterTest(const BoxTest& test, const Shape& shape);
 
-  /// Adds a witness point k. @pre k lies in K, exactly
-  void addWitness(const Eigen::Vector3d& k) { witnesses_.push_back(k); }
+  /// Makes the point of K nearest to @p k a witness point, in place of one that was learnt before and is close to it.
+  void learn(const Eigen::Vector3d& k);
   /// Adds a point that is proved to violate the criterion [m].
-  void addBadPoint(const Eigen::Vector3d& point) { bad_points_.push_back(point); }
+  void addBadPoint(const Eigen::Vector3d& point);
   const std::vector<Eigen::Vector3d>& witnesses() const { return witnesses_; }
 
   /// Whether it is proved that no center in the box carries a region of this size, nor of a larger one.
@@ -35,7 +36,8 @@ public:
   /// After excludes() was false: the optimum of the programme, without unit. The larger, the more room seems to be
   /// left.
   double room() const { return room_; }
-  /// The least criterion margin over the witness points of one region, in floating point; ends early below @p enough.
+  /// The least criterion margin over the witness points of one region, in floating point; ends early below @p enough,
+  /// and is -infinity when a bad point lies in the region.
   double margin(const Eigen::Vector3d& center, double size, double enough) const;
 
 private:
@@ -46,8 +48,10 @@ private:
 
   const BoxTest& test_;
   const Shape& shape_;
-  std::vector<Eigen::Vector3d> witnesses_;
+  std::vector<Eigen::Vector3d> witnesses_;  ///< the extreme points of K, then those that were learnt
+  std::size_t next_lesson_ = 0;             ///< counts the learnt ones
   std::vector<Eigen::Vector3d> bad_points_;
+  std::size_t next_bad_point_ = 0;
   std::vector<SymmetricForms<double>> matrices_;
   std::vector<AffineForm<double>> forms_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM

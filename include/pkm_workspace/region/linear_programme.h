@@ -7,8 +7,9 @@
 
 namespace pkm_workspace
 {
-/// A linear programme in a few unknowns x in [-1, 1]^N with many rows: maximise objective . x where offset + slope . x >= 0
-/// for every row. Floating point, no guarantee: whoever needs a proof checks the certificate in interval arithmetic.
+/// A linear programme in a few unknowns x in [-1, 1]^N with many rows: maximise objective . x where offset + slope . x
+/// >= 0 for every row. Floating point, no guarantee: whoever needs a proof checks the certificate in interval
+/// arithmetic.
 template <std::size_t N>
 class LinearProgramme
 {
@@ -41,7 +42,8 @@ public:
   std::array<Term, N + 1> certificate() const;
 
 private:
-  // A constraint is a row's index, or -1 - 2 k - (upper ? 1 : 0) for a bound of unknown k; all read normal . x <= bound.
+  // A constraint is a row's index, or -1 - 2 k - (upper ? 1 : 0) for a bound of unknown k; all read normal . x <=
+  // bound.
   double excess(int constraint) const;
   Vector normal(int constraint) const;
   double bound(int constraint) const;

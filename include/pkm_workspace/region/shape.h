@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/box.h"
 
 namespace pkm_workspace
@@ -31,6 +33,10 @@ public:
   virtual bool misses(const Box& box, const Eigen::Vector3d& center, double size) const = 0;
   /// Whether the point is proved to lie in c + h K for every c in the box of centers.
   virtual bool contains(const Eigen::Vector3d& point, const Box& centers, double size) const = 0;
+  /// A function of the center, affine over the box of centers, that is not negative for any center whose region avoids
+  /// the point; nothing when no such function is at hand.
+  virtual std::optional<AffineForm<double>> avoidance(const Eigen::Vector3d& point, const Box& centers,
+                                                      double size) const = 0;
   /// The nearest point of c + h K, in floating point.
   virtual Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
   /// As shape_msgs/SolidPrimitive has it, rounded inward: full sides of a box [m] (square: [a, a, 0]).
@@ -38,6 +44,10 @@ public:
   /// Encloses the volume of h K [m^3]; 0 for flat shapes.
   virtual Interval volume(double size) const = 0;
 };
+
+/// A point near the given one that is proved to lie in c + h K, if there is such a double.
+std::optional<Eigen::Vector3d> nearestInside(const Shape& shape, const Eigen::Vector3d& point,
+                                             const Eigen::Vector3d& center, double size);
 
 using ShapePtr = std::shared_ptr<const Shape>;
 

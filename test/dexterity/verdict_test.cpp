@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "support/cases.h"
+#include "support/expect_throw.h"
+#include "support/machines.h"
+#include "support/oracle.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr unsigned SEED = 20260601;
+
+/// The space that random boxes come from: a little more than the reachable points.
+Box spaceOf(const Machine& machine)
+{
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(1.2 * machine.scale());
+  return { machine.zero() - reach, machine.zero() + reach };
+}
+
+std::vector<Criterion> everyCriterion()
+{
+  std::vector<Criterion> criteria(5);
+  criteria[1].psi_min = 1.0 / 3.0;
+  criteria[1].psi_max = 3.0;
+  criteria[2].aspect = Criterion::Aspect::OTHER;
+  criteria[3].set = Criterion::Set::REACHABLE;
+  criteria[4].set = Criterion::Set::REACHABLE;
+  criteria[4].aspect = Criterion::Aspect::BOTH;
+  return criteria;
+}
+
+/// Adds joint limits that cut through the workspace.
+Machine limited(const Machine& machine)
+{
+  Machine::Legs legs = machine.legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-0.2 * machine.scale(), 0.15 * machine.scale());
+  return Machine(machine.name() + " with limits", legs, machine.zero());
+}
+
+/// Tries one machine and criterion: no verdict on a random box is contradicted by a point of the box.
+/// @return how many boxes were INSIDE and OUTSIDE
+std::pair<int, int> expectVerdictsHold(const Machine& machine, const Criterion& criterion, unsigned seed)
+{
+  const BoxTest test(machine, criterion);
+  const test::Oracle oracle(machine, criterion);
+  test::RandomBoxes random(seed);
+  std::pair<int, int> counts(0, 0);
+  for (int k = 0; k < test::cases(300); ++k)
+  {
+    const Box box = random.boxIn(spaceOf(machine), machine.scale());
+    const BoxVerdict verdict = test.classify(box);
+    counts.first += verdict == BoxVerdict::INSIDE;
+    counts.second += verdict == BoxVerdict::OUTSIDE;
+    for (int sample = 0; verdict != BoxVerdict::UNDECIDED && sample < 3; ++sample)
+    {
+      const Eigen::Vector3d point = sample == 0 ? box.upper : random.pointIn(box);
+      EXPECT_EQ(oracle.isGood(point), verdict == BoxVerdict::INSIDE)
+          << machine.name() << ", seed " << seed << ", box " << k << ", point " << point.transpose();
+    }
+  }
+  return counts;
+}
+}  // namespace
+
+TEST(BoxTest, verdictsHoldAtEveryPointOfTheBox)
+{
+  for (const Machine& machine : test::everyKind())
+  {
+    std::pair<int, int> total(0, 0);
+    for (const Criterion& criterion : everyCriterion())
+    {
+      const auto counts = expectVerdictsHold(machine, criterion, SEED);
+      total.first += counts.first;
+      total.second += counts.second;
+    }
+    EXPECT_GT(total.first, 50) << machine.name() << ": the law was hardly tried";
+    EXPECT_GT(total.second, 50) << machine.name();
+  }
+}
+
+TEST(BoxTest, verdictsHoldWithJointLimits)
+{
+  for (const Machine& machine : { limited(orthoglide()), limited(test::crooked(4)) })
+    for (Criterion criterion : everyCriterion())
+    {
+      criterion.joint_limits = true;
+      const auto counts = expectVerdictsHold(machine, criterion, SEED + 1);
+      EXPECT_GT(counts.second, 10) << machine.name();
+    }
+}
+
+TEST(BoxTest, pointsAreDecided)
+{
+  const Machine machine = test::crooked(5);
+  const BoxTest test(machine, Criterion());
+  const test::Oracle oracle(machine, Criterion());
+  test::RandomBoxes random(SEED);
+  for (int k = 0; k < test::cases(2000); ++k)
+  {
+    const Eigen::Vector3d point = random.pointIn(spaceOf(machine));
+    EXPECT_EQ(test.classify(point), oracle.isGood(point) ? BoxVerdict::INSIDE : BoxVerdict::OUTSIDE)
+        << "seed " << SEED << ", point " << point.transpose();
+  }
+}
+
+TEST(BoxTest, partsOfADecidedBoxKeepItsVerdict)
+{
+  const Machine machine = orthoglide();
+  const BoxTest test(machine, Criterion());
+  test::RandomBoxes random(SEED);
+  for (int k = 0; k < test::cases(3000); ++k)
+  {
+    const Box box = random.boxIn(spaceOf(machine), 1.0);
+    const BoxVerdict verdict = test.classify(box);
+    if (verdict == BoxVerdict::UNDECIDED)
+      continue;
+    const BoxVerdict opposite = verdict == BoxVerdict::INSIDE ? BoxVerdict::OUTSIDE : BoxVerdict::INSIDE;
+    const auto halves = box.bisect(box.widestAxis());
+    EXPECT_NE(test.classify(halves.first), opposite) << "seed " << SEED << ", box " << k;
+    EXPECT_NE(test.classify(halves.second), opposite) << "seed " << SEED << ", box " << k;
+  }
+}
+
+// values.md: the diagonal of the Orthoglide is dextrous from k = -1/4 to k = 1/2, t = k / sqrt(1 + 2 k^2).
+TEST(BoxTest, diagonalOfTheOrthoglideEndsWhereItIsKnownTo)
+{
+  const BoxTest test(orthoglide(), Criterion());
+  const auto at = [&test](double k, double shift) {
+    return test.classify(Eigen::Vector3d::Constant(k / std::sqrt(1.0 + 2.0 * k * k) + shift));
+  };
+  for (const double k : { -0.25, 0.5 })
+  {
+    const double outward = k > 0.0 ? 1e-12 : -1e-12;
+    EXPECT_EQ(at(k, -outward), BoxVerdict::INSIDE) << k;
+    EXPECT_EQ(at(k, outward), BoxVerdict::OUTSIDE) << k;
+  }
+}
+
+TEST(BoxTest, verifiesABoxByItsParts)
+{
+  const BoxTest test(orthoglide(), Criterion());
+  const auto cube = [](double center, double edge) {
+    return Box{ Eigen::Vector3d::Constant(center - edge / 2), Eigen::Vector3d::Constant(center + edge / 2) };
+  };
+  EXPECT_EQ(test.verify(cube(0.086273015, 0.6439), 1e-6), BoxVerdict::INSIDE);
+  EXPECT_EQ(test.verify(cube(0.086273015, 0.644), 1e-6), BoxVerdict::UNDECIDED) << "good and bad points";
+  EXPECT_EQ(test.verify(cube(0.6, 0.2), 1e-6), BoxVerdict::OUTSIDE);
+  EXPECT_EQ(test.verify(cube(0.086273015, 0.6439), 0.5), BoxVerdict::UNDECIDED) << "too coarse";
+}
+
+TEST(BoxTest, marginHasTheSignOfTheCriterion)
+{
+  for (const Machine& machine : test::everyKind())
+  {
+    const BoxTest test(machine, Criterion());
+    const test::Oracle oracle(machine, Criterion());
+    test::RandomBoxes random(SEED);
+    for (int k = 0; k < test::cases(300); ++k)
+    {
+      const Eigen::Vector3d point = random.pointIn(spaceOf(machine));
+      const double margin = test.margin(point);
+      EXPECT_TRUE(std::abs(margin) < 1e-9 || (margin > 0.0) == oracle.isGood(point))
+          << machine.name() << ", seed " << SEED << ", point " << point.transpose() << ", margin " << margin;
+    }
+  }
+}
+
+TEST(Criterion, refusesEverythingThatIsOutOfRangeAtOnce)
+{
+  Criterion criterion;
+  criterion.psi_min = 0.0;
+  criterion.psi_max = -1.0;
+  const auto construct = [&criterion] { BoxTest(orthoglide(), criterion); };
+  test::expectThrow<std::invalid_argument>(construct, "psi_min = 0 .*must be positive");
+  test::expectThrow<std::invalid_argument>(construct, "psi_max = -1 .*must be positive");
+  criterion.psi_min = 2.5;
+  criterion.psi_max = 2.0;
+  test::expectThrow<std::invalid_argument>(construct, "psi_max = 2 .*at least psi_min");
+  criterion.psi_max = std::numeric_limits<double>::quiet_NaN();
+  test::expectThrow<std::invalid_argument>(construct, "psi_max = nan");
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "pkm_workspace/region/largest_region.h"
+#include "support/expect_throw.h"
+#include "support/machines.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr double EDGE = 0.643950551;  // values.md, rounded up
+
+void expectHonest(const LargestRegion& region)
+{
+  EXPECT_EQ(region.status, LargestRegion::Status::STOPPED);
+  EXPECT_LE(region.size, EDGE);
+  EXPECT_GE(region.size_upper_bound, EDGE - 1e-9);
+  EXPECT_FALSE(region.message.empty());
+}
+}  // namespace
+
+TEST(Budget, boxesRunOutWithAnHonestBracketThatOnlyImproves)
+{
+  double width = std::numeric_limits<double>::infinity();
+  for (const int boxes : { 1, 10, 50, 100, 200 })
+  {
+    RegionQuery query;
+    query.budget.max_boxes = boxes;
+    const LargestRegion region = findLargestRegion(orthoglide(), query);
+    expectHonest(region);
+    EXPECT_EQ(region.boxes, boxes);
+    EXPECT_LE(region.size_upper_bound - region.size, width);
+    width = region.size_upper_bound - region.size;
+  }
+  EXPECT_LT(width, 0.3);
+}
+
+TEST(Budget, theStopFlagEndsTheSearch)
+{
+  std::atomic<bool> stop(true);
+  RegionQuery query;
+  query.budget.stop = &stop;
+  const LargestRegion region = findLargestRegion(orthoglide(), query);
+  expectHonest(region);
+  EXPECT_EQ(region.boxes, 0);
+}
+
+TEST(Budget, aTimeLimitThatHasPassedEndsTheSearch)
+{
+  RegionQuery query;
+  query.budget.time_limit = 1e-9;
+  expectHonest(findLargestRegion(orthoglide(), query));
+}
+
+TEST(Budget, anAccuracyBelowDoublesIsSaidToBe)
+{
+  RegionQuery query;
+  query.accuracy = 1e-17;
+  query.budget.max_boxes = 20000;
+  const LargestRegion region = findLargestRegion(orthoglide(), query);
+  expectHonest(region);
+  EXPECT_NE(region.message.find("below what double precision can settle"), std::string::npos) << region.message;
+  EXPECT_LT(region.size_upper_bound - region.size, 1e-9);
+}
+
+TEST(Budget, progressIsReported)
+{
+  RegionQuery query;
+  query.shape = makeSquare();
+  query.accuracy = 1e-9;
+  int reports = 0;
+  std::atomic<bool> stop(false);
+  query.budget.stop = &stop;
+  query.progress = [&](const RegionProgress& progress) {
+    EXPECT_LE(progress.size, progress.size_upper_bound);
+    EXPECT_GE(progress.boxes_done, 0);
+    stop = ++reports >= 2;
+  };
+  // a spot inside the square is only just bad (values.md, R - r = 0.3848): the search lasts longer than two reports
+  const LargestRegion region = findLargestRegion(uranesx(Interval(0.4848), Interval(0.1)), query);
+  EXPECT_EQ(reports >= 2, region.status == LargestRegion::Status::STOPPED);
+}
+
+TEST(RegionQuery, refusesEverythingThatIsOutOfRangeAtOnce)
+{
+  RegionQuery query;
+  query.shape = nullptr;
+  query.accuracy = 0.0;
+  query.criterion.psi_min = -1.0;
+  query.budget.time_limit = -1.0;
+  query.budget.max_boxes = -5;
+  query.budget.threads = 0;
+  query.search_box = Box{ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, std::numeric_limits<double>::infinity() } };
+  const auto find = [&query] { findLargestRegion(orthoglide(), query); };
+  for (const char* pattern :
+       { "shape is missing", "accuracy = 0 .*must be positive", "psi_min = -1", "time limit = -1 s", "box budget = -5",
+         "threads = 0 must be from 1 to 1024", "search box x = \\[1, 0\\] m", "search box z = \\[0, inf\\] m" })
+    test::expectThrow<std::invalid_argument>(find, pattern);
+}
+
+TEST(RegionQuery, refusesWhatHasNoBound)
+{
+  RegionQuery query;
+  query.shape = makeBox({ 0.0, 0.0, 1.0 });
+  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(uranesx(), query); }, "as long as one likes");
+
+  Machine::Legs legs = uranesx().legs();
+  const Interval length = norm(IntervalVector{ 1e-9, 0.0, 1.0 });
+  legs[0].axis = { Interval(1e-9) / length, 0.0, Interval(1.0) / length };
+  const Machine nearly("nearly parallel", legs, uranesx().zero());
+  query.shape = makeSquare();
+  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(nearly, query); },
+                                           "parallel.*joint limits or give a search box");
+  query.search_box = Box{ { -0.1, -0.1, -1.0 }, { 0.1, 0.1, -0.8 } };
+  EXPECT_EQ(findLargestRegion(nearly, query).status, LargestRegion::Status::PROVEN);
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/machine/catalogue.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+/// An Orthoglide with rails some degrees off, unequal struts and platform points apart; exact doubles but for the axes.
+/// @param scale mean strut length [m] @param place where the tool point of the zero configuration is [m]
+inline Machine crooked(unsigned seed, double scale = 1.0, const Eigen::Vector3d& place = Eigen::Vector3d::Zero())
+{
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return Eigen::Vector3d(size * uniform(generator), size * uniform(generator), size * uniform(generator));
+  };
+  Machine::Legs legs = orthoglide(scale).legs();
+  for (Leg& leg : legs)
+  {
+    const IntervalVector direction = enclose(Eigen::Vector3d(mid(leg.axis) + vector(0.09)));
+    const Interval length = norm(direction);
+    leg.axis = { direction[0] / length, direction[1] / length, direction[2] / length };
+    leg.length = scale * (1.0 + 0.15 * uniform(generator));
+    leg.platform = enclose(vector(0.1 * scale));
+    leg.origin = leg.origin + enclose(place);
+  }
+  return Machine("crooked_" + std::to_string(seed), legs, place);
+}
+
+/// Three rails that lean 30 degrees outward from the axis z.
+inline Machine cone()
+{
+  Machine::Legs legs = uranesx(Interval(0.7), Interval(0.1)).legs();
+  for (Leg& leg : legs)
+  {
+    const Eigen::Vector3d outward = mid(leg.origin).normalized();
+    const IntervalVector direction = enclose(Eigen::Vector3d(0.5 * outward + 0.87 * Eigen::Vector3d::UnitZ()));
+    const Interval length = norm(direction);
+    leg.axis = { direction[0] / length, direction[1] / length, direction[2] / length };
+  }
+  return Machine("cone", legs, Eigen::Vector3d(0.0, 0.0, -0.8));
+}
+
+/// One of every kind that the laws have to hold for.
+inline std::vector<Machine> everyKind()
+{
+  return { orthoglide(), uranesx(),          orthoglide(0.31058),
+           crooked(1),   crooked(2, 1000.0), crooked(3, 1.0, Eigen::Vector3d(1000.0, -20.0, 3.0)),
+           cone() };
+}
+}  // namespace test
+}  // namespace pkm_workspace

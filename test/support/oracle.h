@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <limits>
+
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+/// Decides a criterion at a point in 100 digits, by the definitions (design, section 1) and by leading minors. The
+/// machine is the member of its enclosure that has their middles for numbers: what is proved holds for it too.
+class Oracle
+{
+public:
+  using Number = boost::multiprecision::cpp_bin_float_100;
+  using Vector = std::array<Number, 3>;
+
+  Oracle(const Machine& machine, const Criterion& criterion) : machine_(machine), criterion_(criterion) {}
+
+  bool isGood(const Eigen::Vector3d& point) const { return isGood(Vector{ point.x(), point.y(), point.z() }); }
+
+  bool isGood(const Vector& point) const
+  {
+    std::array<Vector, 3> strut;
+    Vector eta;
+    for (int i = 0; i < 3; ++i)
+      if (!solveLeg(i, point, strut[static_cast<std::size_t>(i)], eta[static_cast<std::size_t>(i)]))
+        return false;
+    const int wanted = criterion_.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
+    if (criterion_.aspect != Criterion::Aspect::BOTH && wanted * det(strut) <= 0)
+      return false;
+    if (criterion_.set == Criterion::Set::REACHABLE)
+      return true;
+    return isSemidefinite(strut, eta, criterion_.psi_min, 1) && isSemidefinite(strut, eta, criterion_.psi_max, -1);
+  }
+
+  /// rho of leg i [m]; the point must be reachable.
+  Number joint(int i, const Vector& point) const
+  {
+    Vector strut;
+    Number eta;
+    solveLeg(i, point, strut, eta);
+    Vector offset;
+    for (std::size_t k = 0; k < 3; ++k)
+      offset[k] = point[k] - machine_.center(i)[k].mid();
+    return dot(axisOf(i), offset) - eta;
+  }
+
+private:
+  static Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  static Number det(const std::array<Vector, 3>& m)
+  {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  }
+
+  /// The middle of the axis enclosure, made a unit vector.
+  Vector axisOf(int i) const
+  {
+    const IntervalVector& axis = machine_.leg(i).axis;
+    Vector e = { axis[0].mid(), axis[1].mid(), axis[2].mid() };
+    const Number length = sqrt(dot(e, e));
+    for (Number& entry : e)
+      entry /= length;
+    return e;
+  }
+
+  /// @return false where the strut does not reach or a joint limit is passed
+  bool solveLeg(int i, const Vector& point, Vector& strut, Number& eta) const
+  {
+    const Leg& leg = machine_.leg(i);
+    const Vector e = axisOf(i);
+    Vector offset;
+    for (std::size_t k = 0; k < 3; ++k)
+      offset[k] = point[k] - machine_.center(i)[k].mid();
+    const Number along = dot(e, offset);
+    const Number length = leg.length.mid();
+    const Number radicand = length * length - (dot(offset, offset) - along * along);
+    if (radicand < 0)
+      return false;
+    eta = leg.working_mode * sqrt(radicand);
+    const Number rho = along - eta;
+    for (std::size_t k = 0; k < 3; ++k)
+      strut[k] = offset[k] - rho * e[k];
+    return !criterion_.joint_limits || (rho >= leg.limits.lower() && rho <= leg.limits.upper());
+  }
+
+  /// Whether sign * (A A^T - psi^2 B^2) is positive semidefinite, by all its principal minors.
+  static bool isSemidefinite(const std::array<Vector, 3>& strut, const Vector& eta, double psi, int sign)
+  {
+    std::array<Vector, 3> s;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        s[i][j] = sign * (dot(strut[i], strut[j]) - (i == j ? Number(psi) * psi * eta[i] * eta[i] : Number(0)));
+    bool good = det(s) >= 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = (i + 1) % 3;
+      good = good && s[i][i] >= 0 && s[i][i] * s[j][j] - s[i][j] * s[i][j] >= 0;
+    }
+    return good;
+  }
+
+  Machine machine_;
+  Criterion criterion_;
+};
+}  // namespace test
+}  // namespace pkm_workspace
