@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "number_text.h"
 
@@ -129,10 +130,14 @@ Station beyond(const Station& parent, const urdf::Joint& joint, const Model& mod
   return station;
 }
 
-/// How far a branch has come on the way to a platform; a joint that failed counts half.
-std::size_t progress(const Station& station)
+/// Orders links by how far they have come on the way to a platform: passive joints, then one that failed, then
+/// nearness.
+bool isFarther(const Station& a, const Station& b)
 {
-  return 2 * (station.at_slider.size() + station.wrist.size()) + (station.problem.empty() ? 0 : 1);
+  const auto rank = [](const Station& s) {
+    return std::make_tuple(s.at_slider.size() + s.wrist.size(), !s.problem.empty(), -s.fixed_joints);
+  };
+  return rank(a) > rank(b);
 }
 }  // namespace
 
@@ -166,8 +171,7 @@ std::string whyNotOnPlatform(const Station& station)
 
 std::string whyNoPlatform(const std::vector<Station>& stations)
 {
-  const auto less = [](const Station& a, const Station& b) { return progress(a) < progress(b); };
-  const Station& nearest = *std::max_element(stations.rbegin(), stations.rend(), less);
+  const Station& nearest = *std::min_element(stations.begin(), stations.end(), isFarther);
   if (nearest.isOnPlatform())
     return "no link is fixed to link " + quoted(nearest.link) + ", expected one for the tool point";
   return whyNotOnPlatform(nearest);

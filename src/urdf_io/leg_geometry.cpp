@@ -125,7 +125,7 @@ LegGeometry measureLeg(const Station& station, Problems& problems)
   LegGeometry leg;
   leg.slider_point = station.at_slider.front().offset - slider_axes.front().point + slider.point;
   leg.strut = station.wrist.front().offset + platform.point - slider.point;
-  leg.length = norm(leg.strut);
+  leg.length = lengthOf(leg.strut);
   leg.platform = platform.point - wrist_axes.back().point - station.offset;
   if (station.turn > 0.0)
     leg.platform = grown(leg.platform, (Interval(station.turn) * norm(leg.platform)).upper());

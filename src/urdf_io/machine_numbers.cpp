@@ -162,7 +162,7 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
     numbers.platform = mid(leg.platform);
     numbers.axis = axisNumbers(machine, i, all);
     numbers.strut = nearestThat(mid(zero.strut[static_cast<std::size_t>(i)]),
-                                [&leg](const Vector3d& v) { return norm(enclose(v)).intersects(leg.length); });
+                                [&leg](const Vector3d& v) { return lengthOf(enclose(v)).intersects(leg.length); });
     setLimits(machine, i, numbers);
     setHinges(numbers);
   }

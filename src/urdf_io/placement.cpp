@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placement.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pkm_workspace
@@ -62,10 +63,16 @@ IntervalMatrix rotation(const Angles& rpy)
   return yaw * (pitch * roll);
 }
 
+Interval lengthOf(const IntervalVector& v)
+{
+  const auto not_zero = [](const Interval& entry) { return entry != Interval(0.0); };
+  return std::count_if(v.begin(), v.end(), not_zero) > 1 ? norm(v) : abs(v[0] + v[1] + v[2]);
+}
+
 IntervalVector unitVector(const Eigen::Vector3d& v)
 {
   const IntervalVector scaled = scaledDown(v);
-  const Interval length = (v.array() != 0.0).count() == 1 ? abs(scaled[0] + scaled[1] + scaled[2]) : norm(scaled);
+  const Interval length = lengthOf(scaled);
   return withinUnit({ scaled[0] / length, scaled[1] / length, scaled[2] / length });
 }
 

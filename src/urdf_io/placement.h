@@ -24,6 +24,9 @@ struct Origin
 /// Encloses the rotation matrix Rz(yaw) Ry(pitch) Rx(roll).
 IntervalMatrix rotation(const Angles& rpy);
 
+/// Encloses |v|; exact for a vector along one of the axes.
+Interval lengthOf(const IntervalVector& v);
+
 /// Encloses v / |v| for the exact vector @p v, not 0; of zero width for a vector along one of the axes.
 IntervalVector unitVector(const Eigen::Vector3d& v);
 

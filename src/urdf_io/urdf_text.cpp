@@ -2,6 +2,7 @@
 #include "urdf_text.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "number_text.h"
 
@@ -33,7 +34,7 @@ Eigen::Vector3d anglesOf(const Eigen::Matrix3d& rotation)
 }
 }  // namespace
 
-UrdfText::UrdfText(const std::string& robot)
+UrdfText::UrdfText(const std::string& robot) : robot_(robot)
 {
   open("robot", { { "name", robot } });
   for (const Material& one : materials())
@@ -87,6 +88,9 @@ void UrdfText::link(const std::string& name, const std::vector<Solid>& solids)
 
 void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
 {
+  if (joint.name.empty() || !joints_.insert(joint.name).second)
+    throw std::invalid_argument("machine '" + robot_ + "' cannot be written as a URDF: joint name '" + joint.name +
+                                "' is empty or another joint's, expected a name of its own");
   open("joint", { { "name", joint.name }, { "type", joint.type } });
   element("parent", { { "link", joint.parent } });
   element("child", { { "link", joint.child } });

@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Core>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,7 @@ public:
   explicit UrdfText(const std::string& robot);
 
   void link(const std::string& name, const std::vector<Solid>& solids = {});
-  /// The joint and its child link.
+  /// The joint and its child link. @throws std::invalid_argument when its name is empty or another joint's
   void branch(const JointText& joint, const std::vector<Solid>& solids = {});
   /// Ends the robot. @return the whole text
   std::string finish();
@@ -49,6 +50,8 @@ private:
   void visual(const Solid& solid);
 
   tinyxml2::XMLPrinter printer_;
+  std::string robot_;
+  std::set<std::string> joints_;
 };
 }  // namespace urdf_io
 }  // namespace pkm_workspace

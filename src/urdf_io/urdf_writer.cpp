@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 
-#include <set>
-#include <stdexcept>
-
 #include "urdf_text.h"
 
 namespace pkm_workspace
@@ -70,21 +67,10 @@ private:
   std::string number_;
 };
 
-/// The names of the rails must not meet each other or those of the passive joints, which end on the number of their
-/// leg.
-void checkNames(const Machine& machine)
-{
-  std::set<std::string> names;
-  for (const Leg& leg : machine.legs())
-    if (leg.joint.empty() || !names.insert(leg.joint).second)
-      throw std::invalid_argument("machine '" + machine.name() + "' cannot be written as a URDF: joint name '" +
-                                  leg.joint + "' is empty or used twice, expected three different names");
-}
 }  // namespace
 
 std::string writeUrdf(const Machine& machine)
 {
-  checkNames(machine);
   const auto numbers = numbersOf(machine);
   const Looks looks = looksOf(numbers);
   UrdfText text(machine.name());

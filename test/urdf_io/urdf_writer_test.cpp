@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/urdf_io/urdf_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "support/expect_throw.h"
+#include "support/machines.h"
+#include "urdf_io/expect_machine.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+/// The machine built in Nantes: its joints reach what a cube of 0.2 m needs, to the next tenth of a millimetre.
+Machine prototype()
+{
+  const double length = 0.31058;
+  // The centre of the largest cube for L = 1 is (1/sqrt(6) - 1/(3 sqrt 2)) / 2 in each axis (reference values).
+  const double center = 0.5 * length * (1.0 / std::sqrt(6.0) - 1.0 / (3.0 * std::sqrt(2.0)));
+  const double near = center - 0.1;
+  const double far = center + 0.1;
+  const double lower = near;  // where the strut lies along its rail
+  const double upper = far + length - std::sqrt(length * length - 2.0 * far * far);
+  Machine::Legs legs = orthoglide(length).legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(std::floor(lower * 1e4) / 1e4, std::ceil(upper * 1e4) / 1e4);
+  return Machine("orthoglide_prototype", legs, Eigen::Vector3d::Zero());
+}
+
+std::string fileText(const std::string& name)
+{
+  std::ifstream file(PKM_WORKSPACE_SOURCE_DIR "/urdf/" + name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Machine readBack(const Machine& machine)
+{
+  return readUrdf(writeUrdf(machine)).machine;
+}
+}  // namespace
+
+TEST(UrdfWriter, writesTheFilesOfThePackage)
+{
+  EXPECT_TRUE(writeUrdf(orthoglide()) == fileText("orthoglide.urdf"));
+  EXPECT_TRUE(writeUrdf(uranesx()) == fileText("uranesx.urdf"));
+  EXPECT_TRUE(writeUrdf(prototype()) == fileText("orthoglide_prototype.urdf"));
+}
+
+TEST(UrdfWriter, theFilesOfThePackageAreReadWithoutWarning)
+{
+  for (const char* const name : { "orthoglide", "uranesx", "orthoglide_prototype" })
+  {
+    const UrdfMachine read = readUrdfFile(PKM_WORKSPACE_SOURCE_DIR "/urdf/" + std::string(name) + ".urdf");
+    EXPECT_EQ(read.machine.name(), name);
+    EXPECT_TRUE(read.warnings.empty());
+  }
+}
+
+TEST(UrdfWriter, thePrototypeHasTheTravelOfTheMachineInNantes)
+{
+  const Machine back = readBack(prototype());
+  for (const Leg& leg : back.legs())
+    EXPECT_NEAR(leg.limits.width(), 0.257, 0.0005);
+}
+
+TEST(UrdfWriter, theOrthoglideReadsBackBitForBit)
+{
+  for (const double length : { 1.0, 0.31058, 310.58, 1000.0, 1e-3, 1.0 / 3.0 })
+  {
+    const Machine machine = orthoglide(length);
+    const Machine back = readBack(machine);
+    expectSameGeometry(machine, back);
+    EXPECT_EQ(back.zero(), machine.zero());
+  }
+}
+
+TEST(UrdfWriter, everyMachineReadsBackToEnclosuresThatOverlap)
+{
+  std::vector<Machine> machines = everyKind();
+  for (unsigned seed = 10; seed < 60; ++seed)
+  {
+    machines.push_back(crooked(seed, std::pow(10.0, static_cast<int>(seed % 7) - 3)));
+    machines.push_back(crooked(seed, 0.7, Eigen::Vector3d(1e4, -300.0, 0.1 * seed)));
+    machines.push_back(uranesx(Interval(0.4 + 0.01 * seed), Interval(0.1), 1.0 + 0.03 * seed));
+  }
+  for (const Machine& machine : machines)
+  {
+    SCOPED_TRACE(machine.name() + " " + machine.geometryHash());
+    const Machine back = readBack(machine);
+    expectOverlap(machine, back);
+    EXPECT_EQ(back.hasParallelRails(), machine.hasParallelRails());
+    EXPECT_LE(widest(back), 1e-15 * machine.scale() + 1e-15);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_LE(back.leg(i).limits.lower(), back.leg(i).limits.upper());
+  }
+}
+
+TEST(UrdfWriter, readingBackTwiceChangesNothing)
+{
+  for (const Machine& machine : everyKind())
+  {
+    const Machine once = readBack(machine);
+    expectOverlap(once, readBack(once));
+    EXPECT_EQ(once.leg(0).limits, readBack(once).leg(0).limits);
+  }
+}
+
+TEST(UrdfWriter, keepsTheLimitsThatAMachineHas)
+{
+  Machine::Legs legs = orthoglide().legs();
+  legs[0].limits = Interval(0.1, 0.7);
+  legs[1].limits = Interval(-std::numeric_limits<double>::infinity(), -0.1);
+  legs[2].limits = Interval(5.0, std::numeric_limits<double>::infinity());
+  const Machine back = readBack(Machine("limited", legs, Eigen::Vector3d::Zero()));
+  EXPECT_EQ(back.leg(0).limits, Interval(0.1, 0.7));
+  EXPECT_EQ(back.leg(1).limits, Interval(-1.3, -0.1));
+  EXPECT_EQ(back.leg(2).limits, Interval(5.0, 5.0));
+}
+
+TEST(UrdfWriter, choosesLimitsThatNoReachablePointPasses)
+{
+  for (const Machine& machine : everyKind())
+  {
+    if (machine.hasParallelRails())
+      continue;
+    const Machine back = readBack(machine);
+    const double step = 0.1 * machine.scale();
+    int reached = 0;
+    for (int x = -14; x <= 14; ++x)
+      for (int y = -14; y <= 14; ++y)
+        for (int z = -14; z <= 14; ++z)
+        {
+          const Eigen::Vector3d p = back.zero() + step * Eigen::Vector3d(x, y, z);
+          const auto rho = inverseKinematics(back, p);
+          for (int i = 0; rho && i < 3; ++i)
+            EXPECT_TRUE(back.leg(i).limits.contains((*rho)[i])) << machine.name() << " at " << p.transpose();
+          reached += rho ? 1 : 0;
+        }
+    EXPECT_GT(reached, 100) << machine.name();
+  }
+}
+
+TEST(UrdfWriter, writesAMachineWhereItsJointsAreZero)
+{
+  // Beyond the parallel singularity the Orthoglide's joints are 0 at -2/3 in each axis.
+  const Machine beyond("beyond", orthoglide().legs(), Eigen::Vector3d::Constant(-0.546));
+  const Machine back = readBack(beyond);
+  EXPECT_EQ(back.aspect(), -orthoglide().aspect());
+  EXPECT_TRUE(back.zero().isApprox(Eigen::Vector3d::Constant(-2.0 / 3.0), 1e-12));
+  expectOverlap(back, beyond);
+
+  Machine::Legs legs = orthoglide().legs();
+  for (Leg& leg : legs)
+    leg.origin = Interval(-3.0) * leg.axis;
+  expectThrow<std::invalid_argument>([&] { writeUrdf(Machine("far", legs, Eigen::Vector3d::Zero())); },
+                                     "machine 'far' cannot be written as a URDF: with all joints at 0 m no tool point");
+}
+
+TEST(UrdfWriter, refusesJointsWithoutNamesOfTheirOwn)
+{
+  for (const char* const name : { "", "rail_x", "revolute_1" })
+  {
+    Machine::Legs legs = orthoglide().legs();
+    legs[2].joint = name;
+    expectThrow<std::invalid_argument>(
+        [&] { writeUrdf(Machine("m", legs, Eigen::Vector3d::Zero())); },
+        "machine 'm' cannot be written as a URDF: joint name '" + std::string(name) + "'");
+  }
+}
+
+TEST(UrdfWriter, escapesNames)
+{
+  Machine::Legs legs = orthoglide().legs();
+  legs[0].joint = "a\"<&>'b";
+  const Machine back = readBack(Machine("<\"&'>", legs, Eigen::Vector3d::Zero()));
+  EXPECT_EQ(back.leg(0).joint, "a\"<&>'b");
+  EXPECT_EQ(back.name(), "<\"&'>");
+}
+}  // namespace test
+}  // namespace pkm_workspace
