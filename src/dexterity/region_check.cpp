@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/region_check.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Bisects the box, depth first, until @p judge answers ALL or NONE for every part, or has given both answers.
+template <class Judge>
+Share bisect(const Box& box, double min_width, std::int64_t max_boxes, const Judge& judge)
+{
+  std::vector<Box> open = { box };
+  bool all = false;
+  bool none = false;
+  bool undecided = false;
+  for (std::int64_t boxes = 0; !open.empty() && !(all && none); ++boxes)
+  {
+    if (boxes == max_boxes)
+      return Share::UNDECIDED;
+    const Box part = open.back();
+    open.pop_back();
+    const Share share = judge(part);
+    const int axis = part.widestAxis();
+    const bool is_open = share == Share::UNDECIDED;
+    if (is_open && part.width(axis) > min_width && part.canBisect(axis))
+    {
+      const auto halves = part.bisect(axis);
+      open.push_back(halves.first);
+      open.push_back(halves.second);
+      continue;
+    }
+    all = all || share == Share::ALL;
+    none = none || share == Share::NONE;
+    undecided = undecided || is_open;
+  }
+  if (all && none)
+    return Share::SOME;
+  return undecided ? Share::UNDECIDED : all ? Share::ALL : Share::NONE;
+}
+
+Share shareOf(BoxVerdict verdict)
+{
+  return verdict == BoxVerdict::INSIDE ? Share::ALL : verdict == BoxVerdict::OUTSIDE ? Share::NONE : Share::UNDECIDED;
+}
+
+Interval around(const Interval& centers, double edge)
+{
+  const Interval half = Interval(edge) * Interval(0.5);
+  return centers + Interval(-half.upper(), half.upper());
+}
+
+/// What all intervals [c - edge / 2, c + edge / 2] with c in @p centers share, rounded inward; may be empty.
+Interval common(const Interval& centers, double edge)
+{
+  const Interval half = Interval(edge) * Interval(0.5);
+  const double lower = (Interval(centers.upper()) - half).upper();
+  const double upper = (Interval(centers.lower()) + half).lower();
+  return lower <= upper ? Interval(lower, upper) : Interval::empty();
+}
+
+/// Sets of coordinates along one axis, each of which meets all intervals [c - edge / 2, c + edge / 2] with c in
+/// @p centers: single coordinates that these intervals share, or else where their ends and middles are.
+std::vector<Interval> stations(const Interval& centers, double edge)
+{
+  if (edge == 0.0)
+    return { centers };
+  const Interval shared = common(centers, edge);
+  if (!shared.isEmpty())
+    return { shared.lower(), shared.upper(), shared.mid() };
+  const Interval half = Interval(edge) * Interval(0.5);
+  return { centers - half, centers + half, centers };
+}
+
+/// G without bisecting the box of centers.
+class CenterCheck
+{
+public:
+  CenterCheck(const BoxClassifier& classify, const Eigen::Vector3d& edges, const BisectionLimits& limits)
+    : classify_(classify), edges_(edges), limits_(limits)
+  {}
+
+  Share operator()(const Box& centers) const
+  {
+    if (refusesEveryRegion(centers))
+      return Share::NONE;
+    // Property 1 of the paper: every region lies in the hull.
+    const IntervalVector hull = map(centers, around);
+    if (!hasBadCorner(hull) && verify(hull, centers) == Share::ALL)
+      return Share::ALL;
+    // A last look before these centers stay undecided: a bad point anywhere in what all regions share.
+    const IntervalVector core = map(centers, common);
+    if (centers.maxWidth() > limits_.center_width || core[0].isEmpty() || core[1].isEmpty() || core[2].isEmpty())
+      return Share::UNDECIDED;
+    const Share good = verify(core, centers);
+    return good == Share::NONE || good == Share::SOME ? Share::NONE : Share::UNDECIDED;
+  }
+
+private:
+  template <class Function>
+  IntervalVector map(const Box& centers, const Function& function) const
+  {
+    return { function(centers.side(0), edges_[0]), function(centers.side(1), edges_[1]),
+             function(centers.side(2), edges_[2]) };
+  }
+
+  bool isBad(const IntervalVector& points) const { return classify_(boundingBox(points)) == BoxVerdict::OUTSIDE; }
+
+  Share verify(const IntervalVector& points, const Box& centers) const
+  {
+    // much narrower parts would tell the regions of different centers apart: no answer for all of them
+    const double part_width = std::max(limits_.part_width, centers.maxWidth() / 16);
+    return verifyBox(classify_, boundingBox(points), part_width, limits_.max_parts);
+  }
+
+  /// The corner rule: regions are products of intervals, so a product of stations has a point in common with every
+  /// region; when all of its points are bad, no region is good. The paper's corners of B are such points while B is at
+  /// most w / 2 wide; those of what all regions share refuse more, and wider boxes.
+  bool refusesEveryRegion(const Box& centers) const
+  {
+    for (const Interval& x : stations(centers.side(0), edges_[0]))
+      for (const Interval& y : stations(centers.side(1), edges_[1]))
+        for (const Interval& z : stations(centers.side(2), edges_[2]))
+          if (isBad({ x, y, z }))
+            return true;
+    return false;
+  }
+
+  /// Saves looking for a proof that there is none of.
+  bool hasBadCorner(const IntervalVector& hull) const
+  {
+    for (const double x : { hull[0].lower(), hull[0].upper() })
+      for (const double y : { hull[1].lower(), hull[1].upper() })
+        for (const double z : { hull[2].lower(), hull[2].upper() })
+          if (isBad({ x, y, z }))
+            return true;
+    return false;
+  }
+
+  const BoxClassifier& classify_;
+  const Eigen::Vector3d edges_;
+  const BisectionLimits limits_;
+};
+}  // namespace
+
+Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width, std::int64_t max_boxes)
+{
+  return bisect(box, part_width, max_boxes, [&classify](const Box& part) { return shareOf(classify(part)); });
+}
+
+Share checkCenters(const BoxClassifier& classify, const Box& centers, const Eigen::Vector3d& edges,
+                   const BisectionLimits& limits)
+{
+  return bisect(centers, limits.center_width, limits.max_centers, CenterCheck(classify, edges, limits));
+}
+}  // namespace pkm_workspace
