@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/containment.h"
 
 namespace pkm_workspace
 {
 namespace
 {
+/// Boxes that are looked at side by side.
+constexpr std::size_t WAVE = 16;
 /// Starts of the local search besides the zero configuration: the best of a grid of this many centers along each axis.
 constexpr int GRID = 4;
 constexpr std::size_t STARTS = 4;
@@ -28,7 +31,8 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
   : query_(query)
   , test_(machine, query.criterion)
   , space_(centerSpace(machine, query))
-  , center_test_(test_, *query.shape)
+  , witnesses_(*query.shape)
+  , center_tests_(WAVE, CenterTest(test_, *query.shape, witnesses_))
   , local_search_(test_, *query.shape, space_.centers)
   , scale_(machine.scale())
   , begin_(std::chrono::steady_clock::now())
@@ -78,23 +82,17 @@ bool CenterSearch::certifyBelow(const Candidate& candidate)
   return incumbent_.size > before;
 }
 
-void CenterSearch::teach(const Candidate& candidate, const Eigen::Vector3d& bad_point)
-{
-  center_test_.addBadPoint(bad_point);
-  center_test_.learn((bad_point - candidate.center) / candidate.size);
-}
-
 /// Climbs and certifies; a bad point that the witness points missed becomes one of them, and the climb starts anew.
 void CenterSearch::climbFrom(const Candidate& start)
 {
   Candidate found = start;
   for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
   {
-    found = local_search_.climb(start, center_test_.witnesses());
+    found = local_search_.climb(start, witnesses_.ofShape());
     const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * query_.accuracy });
     if (!bad_point)
       break;
-    teach(found, *bad_point);
+    witnesses_.learn(found.center, found.size, *bad_point);
   }
   if (found.size > incumbent_.size + 0.5 * query_.accuracy)
     certifyBelow(found);
@@ -125,11 +123,11 @@ void CenterSearch::start()
 void CenterSearch::tryCenter(const Box& centers, double size)
 {
   const Candidate candidate{ centers.center(), size };
-  if (center_test_.margin(candidate.center, size, 0.0) < 0.0)
+  if (center_tests_.front().margin(candidate.center, size, 0.0) < 0.0)
     return;
   const auto bad_point = certify(candidate);
   if (bad_point)
-    teach(candidate, *bad_point);
+    witnesses_.learn(candidate.center, size, *bad_point);
   else if (incumbent_.size == size)
   {
     grow();
@@ -145,49 +143,59 @@ void CenterSearch::grow()
     const Candidate larger{ incumbent_.center, incumbent_.size + step };
     const auto bad_point = certify(larger);
     if (bad_point)
-      teach(larger, *bad_point);
+      witnesses_.learn(larger.center, larger.size, *bad_point);
     if (incumbent_.size != larger.size)
       return;
   }
 }
 
-void CenterSearch::process(const Node& node)
+/// Asks whether the box can be excluded at the target; if not, whether the gap between its bound and the target can be
+/// halved.
+CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTest& center_test) const
+{
+  Look look{ node.bound <= size || center_test.excludes(node.centers, size), node.bound, center_test.room() };
+  const double middle = 0.5 * (size + node.bound);
+  if (!look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
+    look.bound = middle;
+  return look;
+}
+
+void CenterSearch::settle(const Node& node, double size, const Look& look)
 {
   ++boxes_;
-  const double size = target();
-  if (node.bound <= size || center_test_.excludes(node.centers, size))
+  if (look.excluded)
   {
     excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, size));
     return;
   }
-  Node smaller = node;
-  smaller.room = center_test_.room();
-  tryCenter(node.centers, size);
-  lowerBound(smaller);
+  tryCenter(node.centers, target());
+  if (look.bound == node.bound)
+    tryCenter(node.centers, 0.5 * (target() + node.bound));
   const int axis = node.centers.widestAxis();
   if (node.centers.width(axis) < LEAST_WIDTH * scale_ || !node.centers.canBisect(axis))
   {
-    unsettled_bound_ = std::max(unsettled_bound_, smaller.bound);
+    unsettled_bound_ = std::max(unsettled_bound_, look.bound);
     return;
   }
   const auto halves = node.centers.bisect(axis);
-  for (const Box& half : { halves.first, halves.second })
-  {
-    smaller.centers = half;
-    open_.push(smaller);
-  }
+  open_.push({ halves.first, look.bound, look.room });
+  open_.push({ halves.second, look.bound, look.room });
 }
 
-/// Halves the gap between a box's bound and the target, if that can be proved.
-void CenterSearch::lowerBound(Node& node)
+void CenterSearch::processWave()
 {
-  const double size = 0.5 * (target() + node.bound);
-  if (size >= node.bound)
-    return;
-  if (center_test_.excludes(node.centers, size))
-    node.bound = size;
-  else
-    tryCenter(node.centers, size);
+  std::size_t allowed = WAVE;
+  if (query_.budget.max_boxes > 0)
+    allowed = std::min(allowed, static_cast<std::size_t>(query_.budget.max_boxes - boxes_));
+  std::vector<Node> wave;
+  for (; wave.size() < allowed && !open_.empty(); open_.pop())
+    wave.push_back(open_.top());
+  const double size = target();
+  std::vector<Look> looks(wave.size());
+  parallelFor(query_.budget.threads, wave.size(),
+              [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
+  for (std::size_t k = 0; k < wave.size(); ++k)
+    settle(wave[k], size, looks[k]);
 }
 
 bool CenterSearch::outOfBudget()
@@ -214,9 +222,7 @@ LargestRegion CenterSearch::run()
   {
     if (outOfBudget())
       return result(false);
-    const Node node = open_.top();
-    open_.pop();
-    process(node);
+    processWave();
   }
   return result(true);
 }

@@ -15,10 +15,6 @@ constexpr double ROOM = 64.0;
 /// Rounds of cutting planes a box, and the least relative violation that is worth a cut.
 constexpr int ROUNDS = 2;
 constexpr double WORTH_A_CUT = 1e-3;
-/// Learnt witness points and bad points kept at the most; learnt witnesses closer than this, relative to K, are one.
-constexpr std::size_t MAX_LEARNT = 16;
-constexpr std::size_t MAX_BAD_POINTS = 64;
-constexpr double LEAST_DISTANCE = 0.05;
 
 Enclosed<double> exactly(double value)
 {
@@ -26,36 +22,9 @@ Enclosed<double> exactly(double value)
 }
 }  // namespace
 
-CenterTest::CenterTest(const BoxTest& test, const Shape& shape)
-  : test_(test), shape_(shape), witnesses_(shape.extremePoints())
+CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses)
+  : test_(test), shape_(shape), witnesses_(witnesses)
 {}
-
-void CenterTest::learn(const Eigen::Vector3d& k)
-{
-  const auto inside = nearestInside(shape_, k, Eigen::Vector3d::Zero(), 1.0);
-  if (!inside)
-    return;
-  const std::size_t extremes = shape_.extremePoints().size();
-  const double least = LEAST_DISTANCE * shape_.halfExtents().maxCoeff();
-  for (std::size_t known = extremes; known < witnesses_.size(); ++known)
-    if ((witnesses_[known] - *inside).cwiseAbs().maxCoeff() < least)
-    {
-      witnesses_[known] = *inside;
-      return;
-    }
-  if (witnesses_.size() < extremes + MAX_LEARNT)
-    witnesses_.push_back(*inside);
-  else
-    witnesses_[extremes + next_lesson_++ % MAX_LEARNT] = *inside;
-}
-
-void CenterTest::addBadPoint(const Eigen::Vector3d& point)
-{
-  if (bad_points_.size() < MAX_BAD_POINTS)
-    bad_points_.push_back(point);
-  else
-    bad_points_[next_bad_point_++ % MAX_BAD_POINTS] = point;
-}
 
 /// @return true when the form is negative on the whole box: that alone excludes it
 bool CenterTest::add(const AffineForm<double>& form)
@@ -139,13 +108,13 @@ bool CenterTest::excludes(const Box& centers, double size)
   room_ = ROOM;
   const CenteredBox<double> box(centers);
   const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().squaredScale()));
-  for (const Eigen::Vector3d& point : bad_points_)
+  for (const Eigen::Vector3d& point : witnesses_.bad())
   {
     const auto avoidance = shape_.avoidance(point, centers, size);
     if (avoidance && add(per_length * *avoidance))
       return true;
   }
-  for (const Eigen::Vector3d& k : witnesses_)
+  for (const Eigen::Vector3d& k : witnesses_.ofShape())
     if (addWitnessForms(box.moved(size, k)))
       return true;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
@@ -163,10 +132,10 @@ bool CenterTest::excludes(const Box& centers, double size)
 double CenterTest::margin(const Eigen::Vector3d& center, double size, double enough) const
 {
   double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& point : bad_points_)
+  for (const Eigen::Vector3d& point : witnesses_.bad())
     if (shape_.contains(point, Box{ center, center }, size))
       return -least;
-  for (const Eigen::Vector3d& k : witnesses_)
+  for (const Eigen::Vector3d& k : witnesses_.ofShape())
   {
     least = std::min(least, test_.margin(center + size * k));
     if (least < enough)

@@ -13,7 +13,8 @@
 
 namespace pkm_workspace
 {
-/// Branch and bound over the centers of a region, best upper bound first (design, section 3, items 3 to 5).
+/// Branch and bound over the centers of a region, best upper bound first (design, section 3, items 3 to 5). Boxes are
+/// looked at in waves of a fixed number, so that the answer does not depend on the number of threads.
 ///
 /// Invariant: every center that may carry a region larger than excluded_bound_ lies in an open box, and no center
 /// of an open box carries one larger than that box's bound. The incumbent is certified.
@@ -38,13 +39,21 @@ private:
     }
   };
 
+  /// What a thread finds out about a box without touching anything shared.
+  struct Look
+  {
+    bool excluded = false;  ///< at the target
+    double bound = 0.0;     ///< the node's, or the middle between it and the target if that was proved
+    double room = 0.0;
+  };
+
   void start();
   void climbFrom(const Candidate& start);
   std::optional<Eigen::Vector3d> certify(const Candidate& candidate);
-  void teach(const Candidate& candidate, const Eigen::Vector3d& bad_point);
   bool certifyBelow(const Candidate& candidate);
-  void process(const Node& node);
-  void lowerBound(Node& node);
+  void processWave();
+  Look lookAt(const Node& node, double size, CenterTest& center_test) const;
+  void settle(const Node& node, double size, const Look& look);
   void grow();
   void tryCenter(const Box& centers, double size);
   bool outOfBudget();
@@ -56,7 +65,8 @@ private:
   const RegionQuery& query_;
   BoxTest test_;
   CenterSpace space_;
-  CenterTest center_test_;
+  WitnessPoints witnesses_;
+  std::vector<CenterTest> center_tests_;  ///< one for each box of a wave
   LocalSearch local_search_;
   double scale_;
   Candidate incumbent_;

@@ -6,7 +6,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/witness_points.h"
 
 namespace pkm_workspace
 {
@@ -22,13 +22,8 @@ namespace pkm_workspace
 class CenterTest
 {
 public:
-  CenterTest(const BoxTest& test, const Shape& shape);
-
-  /// Makes the point of K nearest to @p k a witness point, in place of one that was learnt before and is close to it.
-  void learn(const Eigen::Vector3d& k);
-  /// Adds a point that is proved to violate the criterion [m].
-  void addBadPoint(const Eigen::Vector3d& point);
-  const std::vector<Eigen::Vector3d>& witnesses() const { return witnesses_; }
+  /// Keeps references: the witness points may grow between calls.
+  CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses);
 
   /// Whether it is proved that no center in the box carries a region of this size, nor of a larger one.
   bool excludes(const Box& centers, double size);
@@ -48,10 +43,7 @@ private:
 
   const BoxTest& test_;
   const Shape& shape_;
-  std::vector<Eigen::Vector3d> witnesses_;  ///< the extreme points of K, then those that were learnt
-  std::size_t next_lesson_ = 0;             ///< counts the learnt ones
-  std::vector<Eigen::Vector3d> bad_points_;
-  std::size_t next_bad_point_ = 0;
+  const WitnessPoints& witnesses_;
   std::vector<SymmetricForms<double>> matrices_;
   std::vector<AffineForm<double>> forms_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "pkm_workspace/region/shape.h"
+
+namespace pkm_workspace
+{
+/// Where regions of a shape are looked at first: points of K, and points of space that are known to be bad. What the
+/// search learns is kept here.
+class WitnessPoints
+{
+public:
+  explicit WitnessPoints(const Shape& shape);
+
+  /// Points of K, exactly: its extreme points, then those that were learnt.
+  const std::vector<Eigen::Vector3d>& ofShape() const { return of_shape_; }
+  /// Points that are proved to violate the criterion [m]: no region may contain them.
+  const std::vector<Eigen::Vector3d>& bad() const { return bad_; }
+
+  /// Learns from a region c + h K that is refused because of a bad point: the point is bad for all regions, and its
+  /// place in K is a witness, instead of one that was learnt before and is close to it.
+  void learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point);
+
+private:
+  void learnPlace(const Eigen::Vector3d& k);
+
+  const Shape& shape_;
+  std::size_t extremes_;
+  std::vector<Eigen::Vector3d> of_shape_;
+  std::vector<Eigen::Vector3d> bad_;
+  std::size_t next_place_ = 0;  ///< counts what was learnt when there is no room for more
+  std::size_t next_bad_ = 0;
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/region/witness_points.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Kept at the most; the oldest ones make room.
+constexpr std::size_t MAX_LEARNT = 16;
+constexpr std::size_t MAX_BAD = 64;
+/// Learnt places closer than this, relative to K, are one.
+constexpr double LEAST_DISTANCE = 0.05;
+}  // namespace
+
+WitnessPoints::WitnessPoints(const Shape& shape)
+  : shape_(shape), extremes_(shape.extremePoints().size()), of_shape_(shape.extremePoints())
+{}
+
+void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
+{
+  if (bad_.size() < MAX_BAD)
+    bad_.push_back(bad_point);
+  else
+    bad_[next_bad_++ % MAX_BAD] = bad_point;
+  const auto place = nearestInside(shape_, (bad_point - center) / size, Eigen::Vector3d::Zero(), 1.0);
+  if (place)
+    learnPlace(*place);
+}
+
+void WitnessPoints::learnPlace(const Eigen::Vector3d& k)
+{
+  const double least = LEAST_DISTANCE * shape_.halfExtents().maxCoeff();
+  for (std::size_t known = extremes_; known < of_shape_.size(); ++known)
+    if ((of_shape_[known] - k).cwiseAbs().maxCoeff() < least)
+    {
+      of_shape_[known] = k;
+      return;
+    }
+  if (of_shape_.size() < extremes_ + MAX_LEARNT)
+    of_shape_.push_back(k);
+  else
+    of_shape_[extremes_ + next_place_++ % MAX_LEARNT] = k;
+}
+}  // namespace pkm_workspace
