@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/Region.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/paving/paving.h"
+
+namespace pkm_workspace
+{
+/// What rviz shows of a region, in the frame of its message: it replaces all that was shown before.
+///
+/// Namespaces: "region" (its faces and edges, a label), "paving_inside" and "paving_boundary" (one list for each size
+/// of boxes), "joint_ranges" (a bar from slider point to slider point along each rail, a label with Delta rho).
+/// @param paving of the set that the region lies in, or nullptr
+/// @param show_boundary whether its undecided boxes are shown too
+visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& machine, const Paving* paving,
+                                          bool show_boundary);
+}  // namespace pkm_workspace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+
+namespace pkm_workspace
+{
+/// What the node is configured with: its private parameters. Values with defaults; validate() tells what is wrong.
+struct Parameters
+{
+  Parameters() { query.budget.time_limit = 60.0; }
+
+  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~accuracy, ~joint_limits, ~search_box, ~threads and ~time_limit, which
+  /// is also the most that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
+  RegionQuery query;
+  UrdfOptions urdf;                  ///< ~rails and ~tcp_links
+  bool publish_joint_states = true;  ///< whether the model stands at the region's center
+  bool show_paving = true;           ///< whether the markers show the set that the region lies in
+  bool show_boundary = false;        ///< whether they show its undecided boxes too
+  double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: L / 10, in a plane L / 40
+
+  /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.
+  void validate(Problems& problems) const;
+};
+
+/// Reads all private parameters at once.
+/// @throws std::invalid_argument naming every one that is unknown, of another type or out of range
+Parameters loadParameters(const ros::NodeHandle& private_node);
+
+/// Reads the machine from the parameter robot_description, searched from the private namespace upwards.
+/// @throws std::invalid_argument when there is none, or when it is refused
+UrdfMachine loadMachine(const ros::NodeHandle& private_node, const UrdfOptions& options);
+
+/// @return the name of the link in tf, with the tf_prefix that is found from the private namespace upwards
+std::string frameOf(const ros::NodeHandle& private_node, const std::string& link);
+}  // namespace pkm_workspace

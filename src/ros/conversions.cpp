@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/conversions.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/version.h"
+
+namespace pkm_workspace
+{
+geometry_msgs::Point toMessage(const Eigen::Vector3d& point)
+{
+  geometry_msgs::Point message;
+  message.x = point.x();
+  message.y = point.y();
+  message.z = point.z();
+  return message;
+}
+
+Eigen::Vector3d fromMessage(const geometry_msgs::Point& point)
+{
+  return { point.x, point.y, point.z };
+}
+
+namespace
+{
+const Eigen::IOFormat POINT_TEXT(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
+
+/// What K measures along the axes.
+Eigen::Vector3d proportionsOf(const Shape& shape)
+{
+  return 2.0 * shape.halfExtents();
+}
+
+ShapePtr shapeFrom(const RegionRequest& request, const Shape& fallback)
+{
+  const std::string name = request.shape.empty() ? fallback.name() : request.shape;
+  const Eigen::Vector3d wanted(request.proportions.x, request.proportions.y, request.proportions.z);
+  if (wanted != Eigen::Vector3d::Zero())
+    return shapeOf(name, wanted);
+  return name == fallback.name() ? shapeOf(name, proportionsOf(fallback)) : shapeOf(name, std::nullopt);
+}
+
+void readSwitches(const RegionRequest& request, RegionQuery& query, Problems& problems)
+{
+  if (request.joint_limits == RegionRequest::ON || request.joint_limits == RegionRequest::OFF)
+    query.criterion.joint_limits = request.joint_limits == RegionRequest::ON;
+  else if (request.joint_limits != RegionRequest::DEFAULT)
+    problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
+                       " must be DEFAULT = 0, ON = 1 or OFF = 2");
+
+  const Box corners{ fromMessage(request.min_corner), fromMessage(request.max_corner) };
+  if (request.use_search_box)
+    query.search_box = corners;
+  else if (corners.lower != Eigen::Vector3d::Zero() || corners.upper != Eigen::Vector3d::Zero())
+    problems.push_back("min_corner and max_corner must be 0 [m] unless use_search_box is true");
+}
+
+double valueOr(double value, double fallback)
+{
+  return value == 0.0 ? fallback : value;
+}
+
+RailRange railRange(const JointRange& range, const std::string& joint)
+{
+  RailRange message;
+  message.joint = joint;
+  message.lower = range.lower.lower();
+  message.upper = range.upper.upper();
+  message.stroke_lower_bound = range.stroke.lower();
+  message.stroke_upper_bound = range.stroke.upper();
+  message.across_lower_bound = range.across.lower();
+  message.across_upper_bound = range.across.upper();
+  return message;
+}
+
+Hypotheses hypothesesOf(const RegionQuery& query, const Machine& machine)
+{
+  Hypotheses message;
+  message.machine = machine.name();
+  message.geometry_hash = machine.geometryHash();
+  message.version = version();
+  message.psi_min = query.criterion.psi_min;
+  message.psi_max = query.criterion.psi_max;
+  message.joint_limits = query.criterion.joint_limits;
+  message.accuracy = query.accuracy;
+  return message;
+}
+
+std::uint8_t constantOf(LargestRegion::Status status)
+{
+  switch (status)
+  {
+    case LargestRegion::Status::PROVEN:
+      return Region::PROVEN;
+    case LargestRegion::Status::STOPPED:
+      return Region::STOPPED;
+    case LargestRegion::Status::NONE:
+      return Region::NONE;
+  }
+  throw std::logic_error("a status without a constant in Region.msg");
+}
+
+void describeRegion(const LargestRegion& region, const Shape& shape, Region& message)
+{
+  const Eigen::Vector3d proportions = proportionsOf(shape);
+  message.shape = shape.name();
+  message.proportions.x = proportions.x();
+  message.proportions.y = proportions.y();
+  message.proportions.z = proportions.z();
+  message.solid.type = shape_msgs::SolidPrimitive::BOX;
+  message.solid.dimensions = shape.dimensions(region.size);
+  message.center = toMessage(region.center);
+  message.size = region.size;
+  message.size_upper_bound = region.size_upper_bound;
+  message.volume = shape.volume(region.size).lower();
+  message.volume_upper_bound = shape.volume(region.size_upper_bound).upper();
+}
+}  // namespace
+
+ShapePtr shapeOf(const std::string& name, const std::optional<Eigen::Vector3d>& proportions)
+{
+  if (name == Region::BOX)
+    return makeBox(proportions.value_or(Eigen::Vector3d::Ones()));
+  const auto shape = name == Region::CUBE ? makeCube() : name == Region::SQUARE ? makeSquare() : nullptr;
+  if (!shape)
+    throw std::invalid_argument("shape = '" + name + "' must be cube, square or box");
+  if (proportions && *proportions != proportionsOf(*shape))
+  {
+    std::ostringstream text;
+    text << "proportions = " << proportions->format(POINT_TEXT) << " are for the shape box only, the shape is " << name;
+    throw std::invalid_argument(text.str());
+  }
+  return shape;
+}
+
+RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults)
+{
+  RegionQuery query = defaults;
+  Problems problems;
+  try
+  {
+    query.shape = shapeFrom(request, *defaults.shape);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    problems.push_back(error.what());
+  }
+  readSwitches(request, query, problems);
+  query.criterion.psi_min = valueOr(request.psi_min, defaults.criterion.psi_min);
+  query.criterion.psi_max = valueOr(request.psi_max, defaults.criterion.psi_max);
+  query.accuracy = valueOr(request.accuracy, defaults.accuracy);
+  query.budget.time_limit = valueOr(request.time_limit, defaults.budget.time_limit);
+  query.validate(problems);
+  if (query.budget.time_limit > defaults.budget.time_limit)
+  {
+    std::ostringstream text;
+    text << "time_limit = " << query.budget.time_limit << " s must be at most the node's ~time_limit, "
+         << defaults.budget.time_limit << " s";
+    problems.push_back(text.str());
+  }
+  throwProblems(problems);
+  return query;
+}
+
+Region toMessage(const Answer& answer, const Machine& machine, const std_msgs::Header& header)
+{
+  const LargestRegion& region = answer.region;
+  Region message;
+  message.header = header;
+  message.hypotheses = hypothesesOf(answer.query, machine);
+  message.status = constantOf(region.status);
+  describeRegion(region, *answer.query.shape, message);
+  if (answer.query.search_box)
+  {
+    message.use_search_box = true;
+    message.min_corner = toMessage(answer.query.search_box->lower);
+    message.max_corner = toMessage(answer.query.search_box->upper);
+  }
+  for (int i = 0; region.size > 0.0 && i < 3; ++i)
+    message.joint_ranges.push_back(railRange(region.joint_ranges[static_cast<std::size_t>(i)], machine.leg(i).joint));
+  message.boxes = region.boxes;
+  message.verification_boxes = region.verification_boxes;
+  message.seconds = region.seconds;
+  message.message = region.message;
+  return message;
+}
+
+JointRanges jointRangesOf(const Region& region)
+{
+  JointRanges message;
+  message.header = region.header;
+  message.hypotheses = region.hypotheses;
+  message.solid = region.solid;
+  message.center = region.center;
+  message.rails = region.joint_ranges;
+  return message;
+}
+
+std::string summary(const Answer& answer)
+{
+  const LargestRegion& region = answer.region;
+  const Shape& shape = *answer.query.shape;
+  std::ostringstream text;
+  text.precision(9);
+  text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m, " << shape.sizeMeaning() << " proven: ";
+  text.precision(17);
+  text << region.size << ", no larger than " << region.size_upper_bound << "; ";
+  text.precision(3);
+  text << region.boxes + region.verification_boxes << " boxes, " << region.seconds << " s";
+  return text.str();
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/markers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "pkm_workspace/ros/conversions.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using visualization_msgs::Marker;
+
+struct Color
+{
+  float r, g, b, a;
+};
+constexpr Color REGION_FACES = { 0.15F, 0.50F, 0.95F, 0.35F };
+constexpr Color REGION_EDGES = { 0.05F, 0.25F, 0.60F, 1.0F };
+constexpr Color INSIDE = { 0.25F, 0.75F, 0.40F, 0.08F };
+constexpr Color BOUNDARY = { 0.95F, 0.75F, 0.10F, 0.04F };
+constexpr Color JOINT_RANGE = { 0.95F, 0.45F, 0.05F, 1.0F };
+constexpr Color TEXT = { 0.1F, 0.1F, 0.1F, 1.0F };
+
+/// Collects markers that share a header; ids count up in each namespace.
+class Scene
+{
+public:
+  Scene(const std_msgs::Header& header, double unit) : unit_(unit)
+  {
+    Marker clear;
+    clear.header = header;
+    // the newest transform there is: markers are latched, and may be older than all that tf remembers
+    clear.header.stamp = ros::Time();
+    clear.action = Marker::DELETEALL;
+    clear.pose.orientation.w = 1.0;
+    array_.markers.push_back(clear);
+  }
+
+  /// A thousandth of the machine's size [m]: what widths of lines and letters are multiples of.
+  double unit() const { return unit_; }
+
+  Marker& add(const std::string& ns, int type, const Color& color)
+  {
+    Marker marker = array_.markers.front();
+    marker.action = Marker::ADD;
+    marker.ns = ns;
+    marker.id = ids_[ns]++;
+    marker.type = type;
+    marker.frame_locked = true;
+    marker.color.r = color.r;
+    marker.color.g = color.g;
+    marker.color.b = color.b;
+    marker.color.a = color.a;
+    marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+    array_.markers.push_back(marker);
+    return array_.markers.back();
+  }
+
+  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text)
+  {
+    Marker& marker = add(ns, Marker::TEXT_VIEW_FACING, TEXT);
+    marker.pose.position = toMessage(place);
+    marker.scale.z = 70.0 * unit_;
+    marker.text = text;
+  }
+
+  const visualization_msgs::MarkerArray& array() const { return array_; }
+
+private:
+  double unit_;
+  std::map<std::string, int> ids_;
+  visualization_msgs::MarkerArray array_;
+};
+
+Eigen::Vector3d sidesOf(const Region& region)
+{
+  return Eigen::Map<const Eigen::Vector3d>(region.solid.dimensions.data());
+}
+
+/// The corner of a box whose bit for an axis says: upper face.
+Eigen::Vector3d corner(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, unsigned bits)
+{
+  const Eigen::Vector3d signs((bits & 1U) ? 0.5 : -0.5, (bits & 2U) ? 0.5 : -0.5, (bits & 4U) ? 0.5 : -0.5);
+  return center + signs.cwiseProduct(sides);
+}
+
+/// All faces as triangles, each seen from both sides: a cube of zero thickness would put rviz's display into warning.
+void addFaces(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene& scene)
+{
+  Marker& faces = scene.add("region", Marker::TRIANGLE_LIST, REGION_FACES);
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const unsigned u = 1U << (axis + 1) % 3;
+    const unsigned v = 1U << (axis + 2) % 3;
+    const bool flat = sides[static_cast<int>(axis)] == 0.0;
+    for (const unsigned face : { 0U, 1U << axis })
+      if (face == 0U || !flat)
+        for (const unsigned bits : { face, face | u, face | u | v, face, face | u | v, face | v })
+          faces.points.push_back(toMessage(corner(center, sides, bits)));
+  }
+}
+
+void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene& scene)
+{
+  Marker& edges = scene.add("region", Marker::LINE_LIST, REGION_EDGES);
+  edges.scale.x = 6.0 * scene.unit();
+  for (unsigned bits = 0; bits < 8; ++bits)
+    for (const unsigned axis : { 1U, 2U, 4U })
+      if ((bits & axis) == 0U)
+        for (const unsigned end : { bits, bits | axis })
+          edges.points.push_back(toMessage(corner(center, sides, end)));
+}
+
+void addRegion(const Region& region, Scene& scene)
+{
+  const Eigen::Vector3d center = fromMessage(region.center);
+  const Eigen::Vector3d sides = sidesOf(region);
+  addFaces(center, sides, scene);
+  addEdges(center, sides, scene);
+  std::ostringstream text;
+  text.precision(5);
+  text << region.shape << ' ' << sides.x() << " x " << sides.y();
+  if (sides.z() > 0.0)
+    text << " x " << sides.z();
+  text << " m";
+  // below the corner that is the nearest one to who looks from the front
+  scene.addText("region", corner(center, sides, 3U) - 80.0 * scene.unit() * Eigen::Vector3d::UnitZ(), text.str());
+}
+
+/// How often each side of the whole was halved to make the box.
+std::array<long, 3> halvings(const Box& whole, const Box& box)
+{
+  std::array<long, 3> counts{};
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.width(axis) > 0.0)
+      counts[static_cast<std::size_t>(axis)] = std::lround(std::log2(whole.width(axis) / box.width(axis)));
+  return counts;
+}
+
+/// One list for each size, because a list has one scale. Flat boxes (their set does not change along the rails, and the
+/// region lies in their plane) are drawn with a little thickness, just below it.
+void addBoxes(const std::string& ns, const Color& color, const std::vector<Box>& boxes, const Box& whole, Scene& scene)
+{
+  const Eigen::Vector3d thickness = scene.unit() * ((whole.upper - whole.lower).array() == 0.0).cast<double>().matrix();
+  const Color layer = { color.r, color.g, color.b, thickness.isZero() ? color.a : 5.0F * color.a };
+  std::map<std::array<long, 3>, std::vector<const Box*>> sizes;
+  for (const Box& box : boxes)
+    sizes[halvings(whole, box)].push_back(&box);
+  for (const auto& size : sizes)
+  {
+    Marker& list = scene.add(ns, Marker::CUBE_LIST, layer);
+    const Box& first = *size.second.front();
+    const Eigen::Vector3d scale = first.upper - first.lower + thickness;
+    list.scale.x = scale.x();
+    list.scale.y = scale.y();
+    list.scale.z = scale.z();
+    for (const Box* box : size.second)
+      list.points.push_back(toMessage(box->center() - 2.0 * thickness));
+  }
+}
+
+Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
+{
+  return mid(leg.origin) + rho * mid(leg.axis);
+}
+
+/// Beyond the end of the rail that is farther from the region, or at least well beyond the range.
+Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, double unit)
+{
+  const auto distance = [&](double rho) { return (sliderPoint(leg, rho) - center).norm(); };
+  const double reach = 450.0 * unit;
+  if (distance(range.lower) > distance(range.upper))
+    return sliderPoint(leg, std::max(leg.limits.lower(), range.lower - reach) - 100.0 * unit);
+  return sliderPoint(leg, std::min(leg.limits.upper(), range.upper + reach) + 100.0 * unit);
+}
+
+void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, Scene& scene)
+{
+  Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
+  bar.scale.x = 20.0 * scene.unit();
+  bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
+  std::ostringstream text;
+  text.precision(4);
+  text << range.joint << "\nDelta rho = " << range.stroke_upper_bound << " m";
+  scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text.str());
+}
+}  // namespace
+
+visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& machine, const Paving* paving,
+                                          bool show_boundary)
+{
+  Scene scene(region.header, machine.scale() / 1000.0);
+  if (region.size > 0.0)
+    addRegion(region, scene);
+  if (paving)
+    addBoxes("paving_inside", INSIDE, paving->inside, paving->box, scene);
+  if (paving && show_boundary)
+    addBoxes("paving_boundary", BOUNDARY, paving->boundary, paving->box, scene);
+  for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
+    addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), fromMessage(region.center), scene);
+  return scene.array();
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/parameters.h"
+
+#include <functional>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/ros/conversions.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using XmlRpc::XmlRpcValue;
+
+// Each read() sets the target from a value of the right type, or returns false. YAML writes whole numbers as integers.
+bool read(const XmlRpcValue& value, bool& target)
+{
+  if (value.getType() != XmlRpcValue::TypeBoolean)
+    return false;
+  target = static_cast<const bool&>(value);
+  return true;
+}
+
+bool read(const XmlRpcValue& value, int& target)
+{
+  if (value.getType() != XmlRpcValue::TypeInt)
+    return false;
+  target = static_cast<const int&>(value);
+  return true;
+}
+
+bool read(const XmlRpcValue& value, double& target)
+{
+  int whole = 0;
+  if (read(value, whole))
+    target = whole;
+  else if (value.getType() == XmlRpcValue::TypeDouble)
+    target = static_cast<const double&>(value);
+  else
+    return false;
+  return true;
+}
+
+bool read(const XmlRpcValue& value, std::string& target)
+{
+  if (value.getType() != XmlRpcValue::TypeString)
+    return false;
+  target = static_cast<const std::string&>(value);
+  return true;
+}
+
+template <class T>
+bool read(const XmlRpcValue& value, std::vector<T>& target)
+{
+  if (value.getType() != XmlRpcValue::TypeArray)
+    return false;
+  std::vector<T> elements(static_cast<std::size_t>(value.size()));
+  for (int i = 0; i < value.size(); ++i)
+    if (!read(value[i], elements[static_cast<std::size_t>(i)]))
+      return false;
+  target = elements;
+  return true;
+}
+
+bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 3)
+    return false;
+  target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return true;
+}
+
+bool read(const XmlRpcValue& value, std::optional<Box>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 6)
+    return false;
+  target = Box{ { numbers[0], numbers[2], numbers[4] }, { numbers[1], numbers[3], numbers[5] } };
+  return true;
+}
+
+struct Entry
+{
+  std::string expected;
+  std::function<bool(const XmlRpcValue&)> set;
+};
+using Table = std::map<std::string, Entry>;
+
+template <class T>
+Entry entry(T& target, const std::string& expected)
+{
+  return { expected, [&target](const XmlRpcValue& value) { return read(value, target); } };
+}
+
+/// The shape is given by two parameters.
+struct ShapeNames
+{
+  std::string shape = "cube";
+  std::optional<Eigen::Vector3d> proportions;
+};
+
+Table tableOf(Parameters& parameters, ShapeNames& names)
+{
+  RegionQuery& query = parameters.query;
+  return {
+    { "shape", entry(names.shape, "a text: cube, square or box") },
+    { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
+    { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
+    { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },
+    { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
+    { "accuracy", entry(query.accuracy, "a number > 0 [m]") },
+    { "search_box", entry(query.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
+    { "time_limit", entry(query.budget.time_limit, "a number > 0, at most 86400 [s]") },
+    { "threads", entry(query.budget.threads, "a whole number >= 1") },
+    { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints, or an empty one") },
+    { "tcp_links", entry(parameters.urdf.tcp_links, "a list of three names of links, or an empty one") },
+    { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
+    { "show_paving", entry(parameters.show_paving, "true or false") },
+    { "show_boundary", entry(parameters.show_boundary, "true or false") },
+    { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
+  };
+}
+
+/// Parameters that belong to others and may be private all the same.
+bool isForeign(const std::string& name)
+{
+  return name == "robot_description" || name == "tf_prefix";
+}
+
+void readTable(const Table& table, const XmlRpcValue& values, Problems& problems)
+{
+  std::string known;
+  for (const auto& row : table)
+    known += (known.empty() ? "" : ", ") + row.first;
+  for (const auto& value : values)
+  {
+    const auto row = table.find(value.first);
+    std::ostringstream text;
+    text << value.first << " = ";
+    value.second.write(text);
+    if (row != table.end() && !row->second.set(value.second))
+      problems.push_back(text.str() + " must be " + row->second.expected);
+    else if (row == table.end() && !isForeign(value.first))
+      problems.push_back(text.str() + " is not a parameter of this node; these are: " + known);
+  }
+}
+
+void chooseShape(const ShapeNames& names, RegionQuery& query, Problems& problems)
+{
+  try
+  {
+    query.shape = shapeOf(names.shape, names.proportions);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    problems.push_back(error.what());
+  }
+}
+}  // namespace
+
+void Parameters::validate(Problems& problems) const
+{
+  query.validate(problems);
+  const auto complain = [&problems](const char* name, double value, const char* allowed) {
+    std::ostringstream text;
+    text.precision(17);
+    text << name << " = " << value << " " << allowed;
+    problems.push_back(text.str());
+  };
+  // the query allows more: 0 for no limit
+  if (query.budget.time_limit == 0.0 || query.budget.time_limit > 86400.0)
+    complain("time_limit", query.budget.time_limit, "s must be > 0 and at most 86400 s");
+  if (!(paving_resolution >= 0.0 && paving_resolution <= 1e100))
+    complain("paving_resolution", paving_resolution, "m must be >= 0 and finite");
+}
+
+Parameters loadParameters(const ros::NodeHandle& private_node)
+{
+  Parameters parameters;
+  ShapeNames names;
+  Problems problems;
+  XmlRpcValue values;
+  if (private_node.getParam(private_node.getNamespace(), values) && values.getType() == XmlRpcValue::TypeStruct)
+    readTable(tableOf(parameters, names), values, problems);
+  chooseShape(names, parameters.query, problems);
+  parameters.validate(problems);
+  for (auto& problem : problems)
+    problem = "parameter of " + private_node.getNamespace() + ": " + problem;
+  throwProblems(problems);
+  return parameters;
+}
+
+UrdfMachine loadMachine(const ros::NodeHandle& private_node, const UrdfOptions& options)
+{
+  std::string name;
+  std::string xml;
+  if (!private_node.searchParam("robot_description", name))
+    throw std::invalid_argument("parameter robot_description is not there, searched from " +
+                                private_node.getNamespace() + " upwards: load the machine's URDF into it");
+  if (!private_node.getParam(name, xml))
+    throw std::invalid_argument("parameter " + name + " must be a text, the machine's URDF");
+  try
+  {
+    return readUrdf(xml, options);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument("parameter " + name + ": " + error.what());
+  }
+}
+
+std::string frameOf(const ros::NodeHandle& private_node, const std::string& link)
+{
+  std::string name;
+  std::string prefix;
+  if (private_node.searchParam("tf_prefix", name))
+    private_node.getParam(name, prefix);
+  const auto first = prefix.find_first_not_of('/');
+  const auto last = prefix.find_last_not_of('/');
+  return first == std::string::npos ? link : prefix.substr(first, last - first + 1) + "/" + link;
+}
+}  // namespace pkm_workspace

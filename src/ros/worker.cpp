@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/worker.h"
+
+#include <ros/console.h>
+
+#include <boost/make_shared.hpp>
+#include <exception>
+
+namespace pkm_workspace
+{
+namespace
+{
+class Job : public ros::CallbackInterface
+{
+public:
+  explicit Job(const std::function<void()>& job) : job_(job) {}
+  CallResult call() override
+  {
+    try
+    {
+      job_();
+    }
+    catch (const std::exception& error)
+    {
+      ROS_ERROR_STREAM_NAMED("worker", "a job has failed, please report: " << error.what());
+    }
+    return Success;
+  }
+
+private:
+  std::function<void()> job_;
+};
+}  // namespace
+
+void Worker::post(const std::function<void()>& job)
+{
+  queue_.addCallback(boost::make_shared<Job>(job));
+}
+
+void Worker::stop()
+{
+  stopped_ = true;
+  queue_.disable();
+  queue_.clear();
+  spinner_.stop();
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""While a computation runs that would take days, get_region answers at once, and an interrupt ends the node."""
+
+import contextlib
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from node_process import NAME, PATIENCE, NodeProcess, urdf
+from pkm_workspace.msg import ErrorCode, Region, RegionRequest
+from pkm_workspace.srv import ComputeLargestRegion, GetRegion
+
+# Within its joint limits the UraneSX has its largest square at any height: there is no end of best centers to look at.
+ENDLESS = {"shape": "square", "joint_limits": True, "accuracy": 1e-14}
+
+
+def service(name, kind):
+    rospy.wait_for_service(f"{NAME}/{name}", PATIENCE)
+    return rospy.ServiceProxy(f"{NAME}/{name}", kind)
+
+
+def wait_until(condition):
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError("waited in vain")
+
+
+def ask_for_the_endless():
+    compute = service("compute_largest_region", ComputeLargestRegion)
+    with contextlib.suppress(rospy.ServiceException):  # the node may end before it has answered
+        compute(RegionRequest(accuracy=1e-14, joint_limits=RegionRequest.ON))
+
+
+class LongComputationTest(unittest.TestCase):
+    def test_get_region_is_not_ready_before_the_first_answer(self):
+        with NodeProcess(urdf("uranesx"), {**ENDLESS, "time_limit": 86400}) as node:
+            response = service("get_region", GetRegion)()
+            self.assertEqual(ErrorCode.NOT_READY, response.error_code)
+            self.assertRegex(response.message, "still running: largest square")
+            node.interrupt()
+            self.assertEqual(0, node.wait()[0])
+
+    def test_get_region_is_ready_when_the_time_limit_is_over(self):
+        with NodeProcess(urdf("uranesx"), {**ENDLESS, "time_limit": 1.0}):
+            get_region = service("get_region", GetRegion)
+            wait_until(lambda: get_region().error_code == ErrorCode.SUCCESS)
+            region = get_region().region
+            self.assertEqual(Region.STOPPED, region.status)
+            self.assertGreater(region.size, 0.5)
+            self.assertGreater(region.size_upper_bound, region.size + 1e-14)
+
+    def test_get_region_answers_while_a_request_is_computed(self):
+        with NodeProcess(urdf("uranesx"), {"shape": "square", "time_limit": 86400}) as node:
+            get_region = service("get_region", GetRegion)
+            wait_until(lambda: get_region().error_code == ErrorCode.SUCCESS)
+            before = get_region().region
+            endless = threading.Thread(target=ask_for_the_endless, daemon=True)
+            endless.start()
+            node.wait_for_output("accuracy 1e-14")
+            self.assertEqual([before] * 10, [get_region().region for _ in range(10)])
+            node.interrupt()
+            self.assertEqual(0, node.wait()[0])
+            endless.join(PATIENCE)
+            self.assertFalse(endless.is_alive())
+
+
+if __name__ == "__main__":
+    rospy.init_node("long_computation_test")
+    rostest.rosrun("pkm_workspace", "long_computation", LongComputationTest)

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/markers.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "pkm_workspace/machine/catalogue.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+using visualization_msgs::Marker;
+using Markers = std::vector<Marker>;
+
+Region regionWithSides(double x, double y, double z)
+{
+  Region region;
+  region.header.frame_id = "base_link";
+  region.header.stamp = ros::Time(100.0);
+  region.shape = Region::BOX;
+  region.size = 1.0;
+  region.solid.dimensions = { x, y, z };
+  RailRange range;
+  range.joint = "rail_x";
+  range.lower = -0.25;
+  range.upper = 0.5;
+  range.stroke_upper_bound = 0.75;
+  region.joint_ranges = { range };
+  return region;
+}
+
+/// Two whole boxes, and a quarter of one.
+Paving smallPaving()
+{
+  Paving paving;
+  paving.box = { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 2.0 } };
+  paving.inside = { { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } },
+                    { { 1.0, 0.0, 0.0 }, { 2.0, 1.0, 1.0 } },
+                    { { 0.0, 1.0, 0.0 }, { 0.5, 1.5, 1.0 } } };
+  paving.boundary = { { { 0.0, 0.0, 1.0 }, { 1.0, 1.0, 2.0 } } };
+  return paving;
+}
+
+Markers inNamespace(const visualization_msgs::MarkerArray& array, const std::string& ns)
+{
+  Markers found;
+  for (const Marker& marker : array.markers)
+    if (marker.ns == ns)
+      found.push_back(marker);
+  return found;
+}
+
+Markers ofType(const Markers& markers, int type)
+{
+  Markers found;
+  for (const Marker& marker : markers)
+    if (marker.type == type)
+      found.push_back(marker);
+  return found;
+}
+
+visualization_msgs::MarkerArray draw(const Region& region, const Paving* paving = nullptr, bool show_boundary = false)
+{
+  return markersOf(region, orthoglide(), paving, show_boundary);
+}
+}  // namespace
+
+TEST(Markers, replaceWhatWasShownBefore)
+{
+  const Paving paving = smallPaving();
+  const auto array = draw(regionWithSides(1.0, 1.0, 1.0), &paving, true);
+  EXPECT_EQ(Marker::DELETEALL, array.markers.front().action);
+  std::set<std::pair<std::string, int>> names;
+  for (std::size_t i = 1; i < array.markers.size(); ++i)
+  {
+    EXPECT_EQ(Marker::ADD, array.markers[i].action);
+    EXPECT_TRUE(names.insert({ array.markers[i].ns, array.markers[i].id }).second) << "one name twice";
+  }
+}
+
+TEST(Markers, areLatchedForAnyTime)
+{
+  for (const Marker& marker : draw(regionWithSides(1.0, 1.0, 1.0)).markers)
+  {
+    EXPECT_EQ("base_link", marker.header.frame_id);
+    EXPECT_TRUE(marker.header.stamp.isZero());
+    EXPECT_EQ(1.0, marker.pose.orientation.w);
+  }
+}
+
+TEST(Markers, showAllFacesOfABox)
+{
+  const auto faces = ofType(inNamespace(draw(regionWithSides(1.0, 2.0, 3.0)), "region"), Marker::TRIANGLE_LIST);
+  ASSERT_EQ(1U, faces.size());
+  EXPECT_EQ(12U * 3U, faces[0].points.size());
+  for (const auto& point : faces[0].points)
+    EXPECT_EQ(Eigen::Vector3d(0.5, 1.0, 1.5), Eigen::Vector3d(point.x, point.y, point.z).cwiseAbs());
+}
+
+TEST(Markers, showASquareAsTriangles)
+{
+  const auto markers = inNamespace(draw(regionWithSides(1.0, 1.0, 0.0)), "region");
+  EXPECT_TRUE(ofType(markers, Marker::CUBE).empty());
+  const auto faces = ofType(markers, Marker::TRIANGLE_LIST);
+  ASSERT_EQ(1U, faces.size());
+  for (const auto& point : faces[0].points)
+    EXPECT_EQ(0.0, point.z);
+  double area = 0.0;
+  for (std::size_t i = 0; i + 2 < faces[0].points.size(); i += 3)
+  {
+    const auto* const p = &faces[0].points[i];
+    area += 0.5 * std::abs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
+  }
+  EXPECT_EQ(1.0, area);
+}
+
+TEST(Markers, putBoxesOfOneSizeIntoOneList)
+{
+  const Paving paving = smallPaving();
+  const auto lists = inNamespace(draw(regionWithSides(1.0, 1.0, 1.0), &paving), "paving_inside");
+  ASSERT_EQ(2U, lists.size());
+  EXPECT_EQ(2U, lists[0].points.size());
+  EXPECT_EQ(1.0, lists[0].scale.x);
+  EXPECT_EQ(0.5, lists[0].points[0].x);
+  EXPECT_EQ(1U, lists[1].points.size());
+  EXPECT_EQ(0.5, lists[1].scale.y);
+  EXPECT_EQ(1.0, lists[1].scale.z);
+  EXPECT_EQ(1.25, lists[1].points[0].y);
+}
+
+TEST(Markers, showTheBoundaryOnlyWhenAsked)
+{
+  const Paving paving = smallPaving();
+  EXPECT_TRUE(inNamespace(draw(regionWithSides(1.0, 1.0, 1.0), &paving, false), "paving_boundary").empty());
+  EXPECT_EQ(1U, inNamespace(draw(regionWithSides(1.0, 1.0, 1.0), &paving, true), "paving_boundary").size());
+}
+
+TEST(Markers, giveFlatBoxesAThickness)
+{
+  Paving paving;
+  paving.box = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 } };
+  paving.inside = { paving.box };
+  const auto lists = inNamespace(draw(regionWithSides(1.0, 1.0, 0.0), &paving), "paving_inside");
+  ASSERT_EQ(1U, lists.size());
+  EXPECT_GT(lists[0].scale.z, 0.0);
+  EXPECT_LT(lists[0].points[0].z + 0.5 * lists[0].scale.z, 0.0) << "it hides the square";
+}
+
+TEST(Markers, drawJointRangesAlongTheRails)
+{
+  const auto markers = inNamespace(draw(regionWithSides(1.0, 1.0, 1.0)), "joint_ranges");
+  const auto bars = ofType(markers, Marker::LINE_LIST);
+  ASSERT_EQ(1U, bars.size());
+  ASSERT_EQ(2U, bars[0].points.size());
+  // the slider of the unit Orthoglide is at x = -1 for joint value 0
+  EXPECT_EQ(-1.25, bars[0].points[0].x);
+  EXPECT_EQ(-0.5, bars[0].points[1].x);
+  const auto labels = ofType(markers, Marker::TEXT_VIEW_FACING);
+  ASSERT_EQ(1U, labels.size());
+  EXPECT_EQ("rail_x\nDelta rho = 0.75 m", labels[0].text);
+}
+
+TEST(Markers, showNoRegionWhereThereIsNone)
+{
+  Region none = regionWithSides(0.0, 0.0, 0.0);
+  none.size = 0.0;
+  none.joint_ranges.clear();
+  const Paving paving = smallPaving();
+  const auto array = draw(none, &paving);
+  EXPECT_TRUE(inNamespace(array, "region").empty());
+  EXPECT_TRUE(inNamespace(array, "joint_ranges").empty());
+  EXPECT_FALSE(inNamespace(array, "paving_inside").empty());
+}
+}  // namespace test
+}  // namespace pkm_workspace

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <functional>
+#include <limits>
+#include <regex>
+
+#include "node_client.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+constexpr double NAN_VALUE = std::numeric_limits<double>::quiet_NaN();
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+struct BadRequest
+{
+  const char* what;
+  std::function<void(RegionRequest&)> spoil;
+  const char* message;  ///< regular expression
+  std::int32_t error_code = ErrorCode::INVALID_REQUEST;
+};
+
+void PrintTo(const BadRequest& request, std::ostream* stream)
+{
+  *stream << request.what;
+}
+
+class Refusals : public testing::TestWithParam<BadRequest>
+{
+};
+
+const BadRequest BAD_REQUESTS[] = {
+  { "shape of another name", [](auto& q) { q.shape = "blob"; }, "shape = 'blob' must be cube, square or box" },
+  { "proportions of a cube", [](auto& q) { q.proportions.x = 2.0; }, "proportions = \\(2, 0, 0\\).* box only.* cube" },
+  { "negative proportion",
+    [](auto& q) {
+      q.shape = "box";
+      q.proportions.x = -1.0;
+    },
+    "proportions \\(-1 +0 +0\\).*must be" },
+  { "NaN proportion",
+    [](auto& q) {
+      q.shape = "box";
+      q.proportions.y = NAN_VALUE;
+    },
+    "proportions \\( *0 +nan +0\\).*must be" },
+  { "negative psi_min", [](auto& q) { q.psi_min = -0.5; }, "psi_min = -0.5 .*must be positive" },
+  { "NaN psi_min", [](auto& q) { q.psi_min = NAN_VALUE; }, "psi_min = nan .*must be positive" },
+  { "psi_min above psi_max", [](auto& q) { q.psi_min = 3.0; }, "psi_max = 2 .*at least psi_min" },
+  { "infinite psi_max", [](auto& q) { q.psi_max = INF; }, "psi_max = inf .*must be positive and finite" },
+  { "negative accuracy", [](auto& q) { q.accuracy = -1e-3; }, "accuracy = -0.001.* m.*must be positive" },
+  { "NaN accuracy", [](auto& q) { q.accuracy = NAN_VALUE; }, "accuracy = nan.*must be positive" },
+  { "joint limits neither on nor off", [](auto& q) { q.joint_limits = 3; },
+    "joint_limits = 3 must be DEFAULT = 0, ON = 1 or OFF = 2" },
+  { "time limit above the ceiling", [](auto& q) { q.time_limit = 61.0; }, "time_limit = 61 s must be at most.* 60 s" },
+  { "negative time limit", [](auto& q) { q.time_limit = -1.0; }, "time.limit = -1 s must be positive" },
+  { "infinite time limit", [](auto& q) { q.time_limit = INF; }, "time.limit = inf s must be" },
+  { "corners without a search box", [](auto& q) { q.max_corner.x = 1.0; },
+    "min_corner and max_corner .*use_search_box" },
+  { "reversed search box",
+    [](auto& q) {
+      q.use_search_box = true;
+      q.max_corner.z = -1.0;
+    },
+    "search.box z = \\[0, -1\\] m" },
+  { "NaN search box",
+    [](auto& q) {
+      q.use_search_box = true;
+      q.min_corner.x = NAN_VALUE;
+    },
+    "search.box x = \\[nan, 0\\] m" },
+  { "frame that is not known", [](auto& q) { q.header.frame_id = "workbench"; },
+    "frame_id = 'workbench' must be empty or 'base_link'", ErrorCode::UNKNOWN_FRAME },
+};
+}  // namespace
+
+TEST_P(Refusals, nameTheFieldAndTheNodeLivesOn)
+{
+  RegionRequest query;
+  GetParam().spoil(query);
+  const auto response = compute(query);
+  EXPECT_EQ(GetParam().error_code, response.error_code);
+  EXPECT_TRUE(std::regex_search(response.message, std::regex(GetParam().message)))
+      << "expected: " << GetParam().message << "\n     got: " << response.message;
+  EXPECT_EQ(Region(), response.region);
+}
+
+INSTANTIATE_TEST_SUITE_P(BadRequests, Refusals, testing::ValuesIn(BAD_REQUESTS));
+
+TEST(Refusal, namesAllFieldsAtOnce)
+{
+  RegionRequest query;
+  query.shape = "blob";
+  query.psi_min = -1.0;
+  query.accuracy = INF;
+  query.joint_limits = 9;
+  const std::string message = compute(query).message;
+  for (const char* const field : { "shape", "psi_min", "accuracy", "joint_limits" })
+    EXPECT_NE(std::string::npos, message.find(field)) << message;
+}
+
+TEST(Refusal, leavesTheLastAnswerAlone)
+{
+  const auto computed = compute(RegionRequest());
+  ASSERT_EQ(ErrorCode::SUCCESS, computed.error_code) << computed.message;
+  RegionRequest bad;
+  bad.psi_min = -1.0;
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, compute(bad).error_code);
+  EXPECT_EQ(computed.region, call<GetRegion>("get_region", GetRegion::Request()).region);
+}
+
+TEST(Request, mayNameTheFrameThatIsKnown)
+{
+  RegionRequest query;
+  query.header.frame_id = "base_link";
+  const auto response = compute(query);
+  EXPECT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+}
+}  // namespace test
+}  // namespace pkm_workspace

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "node_client.h"
+
+// Numbers: reference values of the Orthoglide with L = 1 m and psi in [0.5, 2].
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+const double LARGEST_EDGE = 1.0 / std::sqrt(6.0) + 1.0 / (3.0 * std::sqrt(2.0));
+const double CENTER = 0.086273015;
+const double STROKE = 1.0 + 1.0 / (3.0 * std::sqrt(2.0)) - 1.0 / std::sqrt(6.0);
+const double ACROSS = 1.0 - std::sqrt(2.0 / 3.0);
+
+void expectProven(const ComputeLargestRegion::Response& response, double accuracy)
+{
+  ASSERT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+  const Region& region = response.region;
+  EXPECT_EQ(Region::PROVEN, region.status) << region.message;
+  EXPECT_GT(region.size, 0.0);
+  EXPECT_LE(region.size_upper_bound - region.size, accuracy);
+  EXPECT_EQ(accuracy, region.hypotheses.accuracy);
+  EXPECT_EQ(response.message, region.message);
+  EXPECT_EQ(3U, region.joint_ranges.size());
+}
+
+/// Two digits of the last size more than the accuracy: the search values are good to 1e-5.
+void expectBracket(const Region& region, double size, double slack)
+{
+  EXPECT_LE(region.size, size + slack);
+  EXPECT_GE(region.size_upper_bound, size - slack);
+}
+}  // namespace
+
+TEST(ComputeLargestRegion, certifiesTheCubeWithTheNodesOwnValues)
+{
+  const auto response = compute(RegionRequest());
+  expectProven(response, 1e-3);
+  const Region& region = response.region;
+  EXPECT_EQ(Region::CUBE, region.shape);
+  EXPECT_GE(region.size, 0.64295);
+  EXPECT_LE(region.size, LARGEST_EDGE);
+  EXPECT_GE(region.size_upper_bound, LARGEST_EDGE);
+  EXPECT_NEAR(CENTER, region.center.x, 2e-3);
+  EXPECT_NEAR(CENTER, region.center.y, 2e-3);
+  EXPECT_NEAR(CENTER, region.center.z, 2e-3);
+  EXPECT_EQ("base_link", region.header.frame_id);
+  EXPECT_FALSE(region.header.stamp.isZero());
+}
+
+TEST(ComputeLargestRegion, roundsDimensionsAndVolumeInward)
+{
+  const Region region = compute(RegionRequest()).region;
+  ASSERT_EQ(3U, region.solid.dimensions.size());
+  EXPECT_EQ(shape_msgs::SolidPrimitive::BOX, region.solid.type);
+  for (const double side : region.solid.dimensions)
+    EXPECT_EQ(region.size, side);
+  EXPECT_LE(region.volume, std::pow(static_cast<long double>(region.size), 3));
+  EXPECT_GE(region.volume_upper_bound, std::pow(static_cast<long double>(region.size_upper_bound), 3));
+  EXPECT_NEAR(std::pow(region.size, 3), region.volume, 1e-12);
+}
+
+TEST(ComputeLargestRegion, saysWhatItsAnswerHoldsFor)
+{
+  const Region region = compute(RegionRequest()).region;
+  EXPECT_EQ("orthoglide", region.hypotheses.machine);
+  EXPECT_EQ(36U, region.hypotheses.geometry_hash.size());
+  EXPECT_FALSE(region.hypotheses.version.empty());
+  EXPECT_EQ(0.5, region.hypotheses.psi_min);
+  EXPECT_EQ(2.0, region.hypotheses.psi_max);
+  EXPECT_FALSE(region.hypotheses.joint_limits);
+  EXPECT_FALSE(region.use_search_box);
+  EXPECT_GT(region.boxes, 0);
+  EXPECT_GT(region.verification_boxes, 0);
+}
+
+TEST(ComputeLargestRegion, enclosesJointRanges)
+{
+  RegionRequest query;
+  query.accuracy = 1e-5;
+  const auto response = compute(query);
+  expectProven(response, 1e-5);
+  const char* const joints[] = { "rail_x", "rail_y", "rail_z" };
+  for (std::size_t i = 0; i < response.region.joint_ranges.size(); ++i)
+  {
+    const RailRange& range = response.region.joint_ranges[i];
+    EXPECT_EQ(joints[i], range.joint);
+    EXPECT_LE(range.stroke_lower_bound, range.stroke_upper_bound);
+    EXPECT_LE(range.stroke_upper_bound, range.upper - range.lower + 1e-12);
+    // a region a little smaller than the largest needs a stroke a little smaller
+    EXPECT_NEAR(STROKE, range.stroke_upper_bound, 1e-4);
+    EXPECT_NEAR(ACROSS, range.across_upper_bound, 1e-4);
+  }
+}
+
+TEST(ComputeLargestRegion, takesTheBoundsOfTheRequest)
+{
+  RegionRequest query;
+  query.psi_min = 1.0 / 3.0;
+  query.psi_max = 3.0;
+  const auto response = compute(query);
+  expectProven(response, 1e-3);
+  expectBracket(response.region, 0.786583, 1e-5);
+  EXPECT_EQ(3.0, response.region.hypotheses.psi_max);
+}
+
+TEST(ComputeLargestRegion, findsSquaresAndBoxes)
+{
+  RegionRequest query;
+  query.shape = RegionRequest::SQUARE;
+  const auto square = compute(query);
+  expectProven(square, 1e-3);
+  EXPECT_EQ(0.0, square.region.solid.dimensions[2]);
+  EXPECT_EQ(0.0, square.region.volume_upper_bound);
+
+  query.shape = RegionRequest::BOX;
+  query.proportions.x = query.proportions.y = query.proportions.z = 2.0;
+  const auto box = compute(query);
+  expectProven(box, 1e-3);
+  expectBracket(box.region, 0.5 * LARGEST_EDGE, 0.0);
+  EXPECT_EQ(2.0 * box.region.size, box.region.solid.dimensions[0]);
+  EXPECT_GT(square.region.size_upper_bound, 2.0 * box.region.size);
+}
+
+TEST(ComputeLargestRegion, keepsTheCenterInTheSearchBox)
+{
+  RegionRequest query;
+  query.use_search_box = true;
+  query.min_corner.x = query.max_corner.x = 0.2;
+  query.min_corner.y = query.min_corner.z = -0.5;
+  query.max_corner.y = query.max_corner.z = 0.5;
+  const auto response = compute(query);
+  expectProven(response, 1e-3);
+  EXPECT_EQ(0.2, response.region.center.x);
+  EXPECT_LT(response.region.size_upper_bound, LARGEST_EDGE);
+  EXPECT_TRUE(response.region.use_search_box);
+  EXPECT_EQ(query.max_corner.y, response.region.max_corner.y);
+}
+
+TEST(ComputeLargestRegion, answersThatThereIsNone)
+{
+  RegionRequest query;
+  query.psi_min = 1.0;
+  query.psi_max = 1.0;
+  const auto response = compute(query);
+  EXPECT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+  EXPECT_EQ(Region::NONE, response.region.status);
+  EXPECT_EQ(0.0, response.region.size);
+  EXPECT_TRUE(response.region.joint_ranges.empty());
+  EXPECT_FALSE(response.message.empty());
+}
+
+TEST(GetRegion, givesTheLastAnswer)
+{
+  RegionRequest query;
+  query.accuracy = 0.01;
+  const auto computed = compute(query);
+  const auto got = call<GetRegion>("get_region", GetRegion::Request());
+  EXPECT_EQ(ErrorCode::SUCCESS, got.error_code) << got.message;
+  EXPECT_EQ(computed.region, got.region);
+  EXPECT_EQ(computed.message, got.message);
+}
+}  // namespace test
+}  // namespace pkm_workspace

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A bad parameter or a bad URDF ends the node, before it computes, with a FATAL line that says why."""
+
+import re
+import unittest
+
+import rospy
+import rostest
+from node_process import NAME, NodeProcess, urdf
+
+NAN = float("nan")
+
+BAD_PARAMETERS = [
+    ({"shape": "blob"}, r"shape = 'blob' must be cube, square or box"),
+    ({"shape": 3}, r"shape = 3 must be a text: cube, square or box"),
+    ({"shape": "box", "proportions": [1, 2]}, r"proportions = \{1,2\} must be three numbers"),
+    ({"shape": "box", "proportions": [1, 0, -1]}, r"proportions \( ?1 +0 +-1\).* must be"),
+    ({"proportions": [1, 2, 3]}, r"proportions = \(1, 2, 3\).*box only"),
+    ({"psi_min": "small"}, r"psi_min = small must be a number > 0"),
+    ({"psi_min": 0}, r"psi_min = 0 .*must be positive"),
+    ({"psi_max": 0.25}, r"psi_max = 0.25 .*at least psi_min"),
+    ({"psi_max": NAN}, r"psi_max = nan .*must be positive"),
+    ({"accuracy": 0.0}, r"accuracy = 0 .*m.* must be positive"),
+    ({"joint_limits": 1}, r"joint_limits = 1 must be true or false"),
+    ({"search_box": [0, 1, 0, 1, 0]}, r"search_box = \{0,1,0,1,0\} must be six numbers"),
+    ({"search_box": [1, 0, 0, 1, 0, 1]}, r"search.box x = \[1, 0\] m"),
+    ({"time_limit": 0}, r"time_limit = 0 s must be > 0 and at most 86400 s"),
+    ({"time_limit": 1e6}, r"time_limit = 1000000 s must be > 0 and at most 86400 s"),
+    ({"threads": 0}, r"threads = 0 .*1"),
+    ({"threads": 1.5}, r"threads = 1.5 must be a whole number >= 1"),
+    ({"paving_resolution": -1.0}, r"paving_resolution = -1 m must be >= 0"),
+    ({"rails": "rail_x"}, r"rails = rail_x must be a list of three names"),
+    ({"rails": ["rail_x", "rail_y", "elbow"]}, r"elbow"),
+    ({"psi_mim": 0.4}, r"psi_mim = 0.4 is not a parameter of this node; these are: accuracy, "),
+]
+
+BAD_DESCRIPTIONS = [
+    (None, r"robot_description is not there.*load the machine's URDF"),
+    (42, r"/robot_description must be a text, the machine's URDF"),
+    ("", r"/robot_description: .*refused:(.|\n)*no well-formed XML"),
+    ("<robot", r"/robot_description: .*refused:(.|\n)*no well-formed XML"),
+    ("<robot name='stool'><link name='seat'/></robot>", r"/robot_description: .*refused:(.|\n)*0 prismatic joints"),
+]
+
+
+def refusal_defects(description, parameters, reason):
+    """What is wrong with how the node ends: nothing, or one text."""
+    with NodeProcess(description, parameters) as node:
+        code, output = node.wait()
+    fatal = "\n".join(line for line in output.splitlines() if "FATAL" in line)
+    if code == 1 and re.search(reason, fatal) and "computing" not in output:
+        return []
+    return [f"{parameters}: exit code {code}, expected '{reason}', got:\n{output}"]
+
+
+class StartupTest(unittest.TestCase):
+    def expect_refusals(self, table):
+        defects = [defect for row in table for defect in refusal_defects(*row)]
+        if defects:
+            self.fail("\n\n".join(defects))
+
+    def test_refuses_bad_parameters(self):
+        self.expect_refusals([(urdf("orthoglide"), *row) for row in BAD_PARAMETERS])
+
+    def test_refuses_bad_descriptions(self):
+        self.expect_refusals([(description, {}, reason) for description, reason in BAD_DESCRIPTIONS])
+
+    def test_refuses_what_has_no_bounded_answer(self):
+        # a segment along parallel rails can be as long as one likes
+        self.expect_refusals([(urdf("uranesx"), {"shape": "box", "proportions": [0, 0, 1]}, r"along the rails")])
+
+    def test_names_all_that_is_wrong_at_once(self):
+        parameters = {"shape": "blob", "accuracy": -1.0, "typo": True}
+        with NodeProcess(urdf("orthoglide"), parameters) as node:
+            _, output = node.wait()
+        for name in parameters:
+            self.assertRegex(output, rf"FATAL .*{name} = ")
+
+
+if __name__ == "__main__":
+    rospy.init_node("startup_test")
+    rostest.rosrun("pkm_workspace", "startup", StartupTest)

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/JointRanges.h>
+#include <sensor_msgs/JointState.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <set>
+
+#include "node_client.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+/// Messages without their number on the topic, which only the publisher knows.
+template <class Message>
+Message unnumbered(Message message)
+{
+  message.header.seq = 0;
+  return message;
+}
+
+/// The value of a joint, or nothing like a length when it is not there.
+double position(const sensor_msgs::JointState& state, const std::string& joint)
+{
+  const auto name = std::find(state.name.begin(), state.name.end(), joint);
+  return name == state.name.end() ? 1e9 : state.position[static_cast<std::size_t>(name - state.name.begin())];
+}
+}  // namespace
+
+TEST(Topics, latchTheLastRegionAndItsJointRanges)
+{
+  const Region computed = compute(RegionRequest()).region;
+  const auto region = receive<Region>(NODE + "/region");
+  EXPECT_EQ(computed, unnumbered(*region));
+  const auto ranges = receive<JointRanges>(NODE + "/joint_ranges");
+  EXPECT_EQ(computed.header, unnumbered(*ranges).header);
+  EXPECT_EQ(computed.hypotheses, ranges->hypotheses);
+  EXPECT_EQ(computed.solid, ranges->solid);
+  EXPECT_EQ(computed.center, ranges->center);
+  EXPECT_EQ(computed.joint_ranges, ranges->rails);
+}
+
+TEST(Topics, latchMarkersOfTheRegion)
+{
+  compute(RegionRequest());
+  const auto array = receive<visualization_msgs::MarkerArray>(NODE + "/markers");
+  ASSERT_FALSE(array->markers.empty());
+  EXPECT_EQ(visualization_msgs::Marker::DELETEALL, array->markers.front().action);
+  std::set<std::string> namespaces;
+  for (auto marker = array->markers.begin() + 1; marker != array->markers.end(); ++marker)
+  {
+    EXPECT_EQ("base_link", marker->header.frame_id);
+    namespaces.insert(marker->ns);
+  }
+  EXPECT_EQ((std::set<std::string>{ "region", "paving_inside", "joint_ranges" }), namespaces);
+}
+
+TEST(Topics, showTheMachineAtTheCenterOfTheRegion)
+{
+  const Region region = compute(RegionRequest()).region;
+  const auto isThere = [&region](const sensor_msgs::JointState& state) {
+    return std::all_of(region.joint_ranges.begin(), region.joint_ranges.end(), [&state](const RailRange& range) {
+      const double rho = position(state, range.joint);
+      return range.lower <= rho && rho <= range.upper && rho != 0.0;
+    });
+  };
+  const ros::Time deadline = ros::Time::now() + PATIENCE;
+  auto state = receive<sensor_msgs::JointState>("/joint_states");
+  while (!isThere(*state) && ros::Time::now() < deadline)
+    state = receive<sensor_msgs::JointState>("/joint_states");
+  EXPECT_TRUE(isThere(*state)) << *state;
+  EXPECT_EQ(state->name.size(), state->position.size());
+  EXPECT_GT(state->name.size(), 3U) << "passive joints are missing";
+  EXPECT_FALSE(state->header.stamp.isZero());
+}
+}  // namespace test
+}  // namespace pkm_workspace
