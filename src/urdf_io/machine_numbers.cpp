@@ -42,7 +42,7 @@ Vector3d nearestThat(const Vector3d& v, const Fits& fits)
   throw std::logic_error("no doubles read back as this machine's axes and struts");
 }
 
-bool overlapsUpToSign(const IntervalVector& a, const IntervalVector& b)
+bool sameUpToSign(const IntervalVector& a, const IntervalVector& b)
 {
   const IntervalVector opposite{ -b[0], -b[1], -b[2] };
   return a == b || a == opposite;
@@ -58,7 +58,7 @@ Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers,
     {
       const Direction other = directionIn(Frame(), before[static_cast<std::size_t>(j)].axis);
       const bool parallel = exactlyParallel(directionIn(Frame(), candidate), other) != 0;
-      distinct = distinct && parallel == overlapsUpToSign(axis, machine.leg(j).axis);
+      distinct = distinct && parallel == sameUpToSign(axis, machine.leg(j).axis);
     }
     return distinct && intersects(unitVector(candidate), axis);
   };

@@ -4,6 +4,7 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <atomic>
 #include <mutex>
 #include <thread>
 
@@ -25,10 +26,11 @@ public:
   }
   void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override
   {
+    console_bridge::OutputHandler* const others = others_;
     if (std::this_thread::get_id() == thread_)
       messages.push_back(text);
-    else if (others_ != nullptr)
-      others_->log(text, level, file, line);
+    else if (others != nullptr)
+      others->log(text, level, file, line);
   }
   void begin()
   {
@@ -49,8 +51,8 @@ public:
   std::vector<std::string> messages;
 
 private:
-  std::thread::id thread_;
-  console_bridge::OutputHandler* others_ = nullptr;
+  std::atomic<std::thread::id> thread_{ std::thread::id() };
+  std::atomic<console_bridge::OutputHandler*> others_{ nullptr };
   console_bridge::LogLevel level_ = console_bridge::CONSOLE_BRIDGE_LOG_WARN;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -68,6 +69,13 @@ void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& pr
                    << " L_1 L_2 L_3 = " << roundedText(least * volume.upper(), 6) << " m^3 in size";
 }
 
+/// A double near the tool point of the first leg: rounding is no coordinate.
+Eigen::Vector3d zeroOf(const ClosedLeg& leg)
+{
+  const double rounding = 1e-12 * leg.geometry.length.upper();
+  return mid(leg.tool_point).unaryExpr([rounding](double x) { return std::abs(x) < rounding ? 0.0 : x; });
+}
+
 Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& closed)
 {
   Problems problems;
@@ -78,7 +86,7 @@ Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& cl
     legs[i] = machineLeg(rails[i], closed[i]);
   try
   {
-    return Machine(model.tree->getName(), legs, mid(closed[0].tool_point));
+    return Machine(model.tree->getName(), legs, zeroOf(closed[0]));
   }
   catch (const std::invalid_argument& exception)
   {

@@ -177,6 +177,24 @@ TEST(UrdfReader, readsPlatformLinksThatAreTurned)
   expectSameGeometry(readUrdf(urdf).machine, unit());
 }
 
+TEST(UrdfReader, readsQuarterTurnsOfFourDecimals)
+{
+  // Leg 2 as a copy of leg 1, turned by 1.5708 rad: all within the tolerances, its exact numbers taken as they are.
+  auto urdf = withJoint(good(), "rail_y", "xyz=\"0 -1 0\"", "xyz=\"0 -1 0\" rpy=\"0 0 1.5708\"");
+  urdf = withJoint(urdf, "rail_y", "axis xyz=\"0 1 0\"", "axis xyz=\"1 0 0\"");
+  for (const char* const end : { "", "_back" })
+  {
+    urdf = withJoint(urdf, "revolute" + std::string(end) + "_2", "axis xyz=\"0 0 1\"", "axis xyz=\"0 1 0\"");
+    urdf = withJoint(urdf, "parallelogram" + std::string(end) + "_2", "axis xyz=\"1 0 0\"", "axis xyz=\"0 0 1\"");
+  }
+  urdf = withJoint(urdf, "parallelogram_back_2", "origin xyz=\"0 1 0\"", "origin xyz=\"1 0 0\"");
+  const UrdfMachine read = readUrdf(urdf);
+  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_EQ(read.machine.leg(1).length, Interval(1.0));
+  EXPECT_NEAR(read.machine.leg(1).axis[0].mid(), -3.67e-6, 1e-8);
+  EXPECT_LE(read.machine.leg(1).axis[0].width(), 1e-20);
+}
+
 TEST(UrdfReader, warnsOfWhatIsNotUsed)
 {
   auto urdf = withJoint(good(), "revolute_1", "type=\"continuous\">",

@@ -105,6 +105,14 @@ TEST(UrdfWriter, everyMachineReadsBackToEnclosuresThatOverlap)
   }
 }
 
+TEST(UrdfWriter, theUranesxReadsBackToItsOwnZeroConfiguration)
+{
+  const Machine back = readBack(uranesx());
+  EXPECT_EQ(back.zero().head<2>(), Eigen::Vector2d::Zero());
+  EXPECT_NEAR(back.zero().z(), uranesx().zero().z(), 1e-15);
+  EXPECT_TRUE(back.hasParallelRails());
+}
+
 TEST(UrdfWriter, readingBackTwiceChangesNothing)
 {
   for (const Machine& machine : everyKind())
