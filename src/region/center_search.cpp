@@ -25,6 +25,8 @@ constexpr std::int64_t VERIFICATION_BOXES = 20000;
 constexpr int LESSONS = 24;
 /// Boxes of centers narrower than this, relative to the longest strut, are beyond what doubles can settle.
 constexpr double LEAST_WIDTH = 1e-13;
+/// The finest accuracy that is tried, as a length relative to the longest strut.
+constexpr double LEAST_ACCURACY = 1e-12;
 }  // namespace
 
 CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
@@ -35,6 +37,7 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
   , center_tests_(WAVE, CenterTest(test_, *query.shape, witnesses_))
   , local_search_(test_, *query.shape, space_.centers)
   , scale_(machine.scale())
+  , accuracy_(std::max(query.accuracy, LEAST_ACCURACY * scale_ / query.shape->halfExtents().maxCoeff()))
   , begin_(std::chrono::steady_clock::now())
   , zero_(machine.zero())
 {}
@@ -47,7 +50,7 @@ double CenterSearch::seconds() const
 /// The least size whose absence proves the answer to the accuracy, rounded so that the bracket is never wider.
 double CenterSearch::target() const
 {
-  return rounding::add(incumbent_.size, query_.accuracy).lower;
+  return rounding::add(incumbent_.size, accuracy_).lower;
 }
 
 double CenterSearch::upperBound() const
@@ -75,7 +78,7 @@ bool CenterSearch::certifyBelow(const Candidate& candidate)
   const double before = incumbent_.size;
   for (const double share : BACK_OFFS)
     if (incumbent_.size == before)
-      certify({ candidate.center, candidate.size - std::max(share * query_.accuracy, 1e-13 * scale_) });
+      certify({ candidate.center, candidate.size - share * accuracy_ });
   for (const double share : SHRINKAGES)
     if (incumbent_.size == before)
       certify({ candidate.center, share * candidate.size });
@@ -89,12 +92,12 @@ void CenterSearch::climbFrom(const Candidate& start)
   for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
   {
     found = local_search_.climb(start, witnesses_.ofShape());
-    const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * query_.accuracy });
+    const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
     if (!bad_point)
       break;
     witnesses_.learn(found.center, found.size, *bad_point);
   }
-  if (found.size > incumbent_.size + 0.5 * query_.accuracy)
+  if (found.size > incumbent_.size + 0.5 * accuracy_)
     certifyBelow(found);
 }
 
@@ -138,7 +141,7 @@ void CenterSearch::tryCenter(const Box& centers, double size)
 /// Enlarges the incumbent about its center by steps that double, as C of the paper's section 2.4 does.
 void CenterSearch::grow()
 {
-  for (double step = query_.accuracy;; step *= 2.0)
+  for (double step = accuracy_;; step *= 2.0)
   {
     const Candidate larger{ incumbent_.center, incumbent_.size + step };
     const auto bad_point = certify(larger);
@@ -236,7 +239,7 @@ LargestRegion CenterSearch::result(bool done) const
   region.boxes = boxes_;
   region.verification_boxes = verification_boxes_;
   region.seconds = seconds();
-  const bool narrow = region.size_upper_bound <= target();
+  const bool narrow = region.size_upper_bound <= rounding::add(incumbent_.size, query_.accuracy).lower;
   if (narrow && region.size > 0.0)
   {
     region.status = LargestRegion::Status::PROVEN;

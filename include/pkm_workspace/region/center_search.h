@@ -68,7 +68,8 @@ private:
   WitnessPoints witnesses_;
   std::vector<CenterTest> center_tests_;  ///< one for each box of a wave
   LocalSearch local_search_;
-  double scale_;
+  double scale_;     ///< the longest strut [m]
+  double accuracy_;  ///< the query's, or the finest that doubles are tried at
   Candidate incumbent_;
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
   double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
