@@ -21,7 +21,7 @@ struct Color
 };
 constexpr Color REGION_FACES = { 0.15F, 0.50F, 0.95F, 0.35F };
 constexpr Color REGION_EDGES = { 0.05F, 0.25F, 0.60F, 1.0F };
-constexpr Color INSIDE = { 0.25F, 0.75F, 0.40F, 0.08F };
+constexpr Color INSIDE = { 0.30F, 0.85F, 0.45F, 0.10F };
 constexpr Color BOUNDARY = { 0.95F, 0.75F, 0.10F, 0.04F };
 constexpr Color JOINT_RANGE = { 0.95F, 0.45F, 0.05F, 1.0F };
 constexpr Color TEXT = { 0.1F, 0.1F, 0.1F, 1.0F };
@@ -128,8 +128,10 @@ void addRegion(const Region& region, Scene& scene)
   if (sides.z() > 0.0)
     text << " x " << sides.z();
   text << " m";
-  // below the corner that is the nearest one to who looks from the front
-  scene.addText("region", corner(center, sides, 3U) - 80.0 * scene.unit() * Eigen::Vector3d::UnitZ(), text.str());
+  // above what is solid; in front of a square, where the struts do not cross it
+  const bool solid = sides.z() > 0.0;
+  const double distance = (solid ? 100.0 : -80.0) * scene.unit();
+  scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text.str());
 }
 
 /// How often each side of the whole was halved to make the box.
