@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""While a computation runs that would take days, get_region answers at once, and an interrupt ends the node."""
+"""While a computation runs for longer than anyone waits, get_region answers at once, and an interrupt ends the node."""
 
 import contextlib
 import threading
@@ -13,7 +13,7 @@ from node_process import NAME, PATIENCE, NodeProcess, urdf
 from pkm_workspace.msg import ErrorCode, Region, RegionRequest
 from pkm_workspace.srv import ComputeLargestRegion, GetRegion
 
-# Within its joint limits the UraneSX has its largest square at any height: there is no end of best centers to look at.
+# Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
 ENDLESS = {"shape": "square", "joint_limits": True, "accuracy": 1e-14}
 
 

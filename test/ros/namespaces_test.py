@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two machines in two namespaces, each with its own tf_prefix, do not know of each other."""
+"""The launch files of two machines in two namespaces, each with its own tf_prefix: they do not know of each other."""
 
 import unittest
 
