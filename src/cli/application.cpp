@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "application.h"
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "command.h"
+#include "output.h"
+#include "pkm_workspace/version.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+enum ExitCode
+{
+  ANSWERED = 0,
+  FAILED = 1,
+  BAD_INPUT = 2
+};
+
+struct NamedCommand
+{
+  const char* name;
+  const char* summary;
+  std::unique_ptr<Command> (*make)();
+};
+
+const NamedCommand COMMANDS[] = {
+  { "evaluate", "how the machine stands at one tool point", makeEvaluate },
+  { "largest", "the largest cube, square or box in which every point is dextrous", makeLargest },
+  { "check", "whether every point of a given box is dextrous", makeCheck },
+  { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
+  { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
+};
+
+constexpr const char* INTRODUCTION =
+    "usage: pkm COMMAND [OPTION...]\n\n"
+    "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide,\n"
+    "UraneSX, linear deltas): where, and how large, is the region in which the machine is certain to behave like a "
+    "good\n"
+    "machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors lie within\n"
+    "bounds there. No ROS master is needed.\n\n"
+    "commands (pkm COMMAND --help tells more)\n";
+
+constexpr const char* CONVENTIONS =
+    "\nLengths are in metres, times in seconds, points in the frame of the URDF's root link. The answer goes to "
+    "standard\n"
+    "output, with --json as one JSON object; warnings and progress go to standard error.\n"
+    "Exit code: 0 answered (also when the answer is \"none\"), 2 bad input, 1 failure of the program itself.\n"
+    "pkm --version prints the version.\n\n"
+    "  pkm urdf --machine orthoglide --output orthoglide.urdf\n"
+    "  pkm largest --urdf orthoglide.urdf --shape cube\n";
+
+void printHelp(std::ostream& out)
+{
+  std::vector<Words> rows;
+  for (const NamedCommand& command : COMMANDS)
+    rows.push_back({ command.name, command.summary });
+  out << INTRODUCTION << aligned(rows, Align::LEFT) << CONVENTIONS;
+}
+
+const NamedCommand& findCommand(const std::string& name)
+{
+  Words names;
+  for (const NamedCommand& command : COMMANDS)
+  {
+    if (command.name == name)
+      return command;
+    names.push_back(command.name);
+  }
+  throw std::invalid_argument("'" + name + "' is not a command; allowed: " + joined(names, ", "));
+}
+
+void printHelp(const NamedCommand& entry, const Command& command, const Options& options, std::ostream& out)
+{
+  out << "usage: pkm " << entry.name << " [OPTION...]\n\n" << command.description() << "\n";
+  options.describe(out);
+}
+
+void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out, std::ostream& err)
+{
+  const auto command = entry.make();
+  Options options;
+  bool json = false;
+  bool help = false;
+  command->declare(options);
+  options.flag("json", json, "prints one JSON object in place of the text");
+  options.flag("help", help, "prints this text");
+  if (std::find(words.begin(), words.end(), "--help") != words.end())
+    return printHelp(entry, *command, options, out);
+  options.parse(words);
+  for (const std::string& warning : command->warnings())
+    err << "pkm: warning: " << warning << std::endl;
+  const Answer answer = command->answer();
+  out << (json ? answer.json.dump(2) + "\n" : answer.text);
+}
+
+void dispatch(const Words& arguments, std::ostream& out, std::ostream& err)
+{
+  const std::string first = arguments.empty() ? "" : arguments[0];
+  if (first == "--help")
+    printHelp(out);
+  else if (first == "--version")
+    out << "pkm_workspace " << version() << "\n";
+  else if (first.empty())
+    throw std::invalid_argument("a command is missing");
+  else
+    runCommand(findCommand(first), { arguments.begin() + 1, arguments.end() }, out, err);
+  if (!out.flush())
+    throw std::runtime_error("standard output cannot be written");
+}
+}  // namespace
+
+int run(const Words& arguments, std::ostream& out, std::ostream& err)
+{
+  try
+  {
+    const std::string distrust = rounding::selfTest();
+    if (!distrust.empty())
+      throw std::runtime_error("the arithmetic of this computer cannot be trusted: " + distrust);
+    dispatch(arguments, out, err);
+    return ANSWERED;
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    std::istringstream lines(reason.what());
+    for (std::string line; std::getline(lines, line);)
+      err << "pkm: " << line << "\n";
+    err << "pkm: see pkm --help or pkm COMMAND --help\n";
+    return BAD_INPUT;
+  }
+  catch (const std::exception& failure)
+  {
+    err << "pkm: internal failure: " << failure.what() << "\n";
+    return FAILED;
+  }
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "options.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+/// What a command prints on standard output: the object with --json, the text without.
+struct Answer
+{
+  nlohmann::json json;
+  std::string text;
+};
+
+/// One command of pkm, for one call: its options are its members.
+class Command
+{
+public:
+  virtual ~Command() = default;
+  /// What it does and what its answer means, with an example, for the help text.
+  virtual std::string description() const = 0;
+  virtual void declare(Options& options) = 0;
+  /// What in the input is not used, for standard error. @pre the options have been parsed
+  virtual Words warnings() const { return {}; }
+  /// @pre the options have been parsed @throws std::invalid_argument when the question has no answer
+  virtual Answer answer() = 0;
+};
+
+std::unique_ptr<Command> makeEvaluate();
+std::unique_ptr<Command> makeLargest();
+std::unique_ptr<Command> makeCheck();
+std::unique_ptr<Command> makePave();
+std::unique_ptr<Command> makeUrdf();
+}  // namespace cli
+}  // namespace pkm_workspace

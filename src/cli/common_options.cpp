@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common_options.h"
+
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace cli
+{
+void MachineOptions::declare(Options& options)
+{
+  options.text("urdf", path_, "FILE", "URDF of the machine: three branches, cut at the platform");
+  options.texts("rails", names_.rails, "JOINT JOINT JOINT",
+                "names of the three prismatic joints that move the machine; needed when the URDF has more than three");
+  options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK",
+                "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide");
+  options.require({ "urdf" });
+  options.check({ "urdf", "rails", "tcp-links" }, [this](Problems& problems) {
+    try
+    {
+      urdf_ = readUrdfFile(path_, names_);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+  });
+}
+
+void declareCriterion(Options& options, Criterion& criterion)
+{
+  options.number("psi-min", criterion.psi_min, NUMBER_POSITIVE, "least velocity transmission factor that is allowed");
+  options.number("psi-max", criterion.psi_max, NUMBER_POSITIVE, "largest velocity transmission factor that is allowed");
+  options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
+  options.check({ "psi-min", "psi-max" }, [&criterion](Problems& problems) { criterion.validate(problems); });
+}
+
+void declareBudget(Options& options, Budget& budget)
+{
+  options.number("time-limit", budget.time_limit, TIME_POSITIVE,
+                 "ends with the best proved so far; without it, no limit");
+  options.count("max-boxes", budget.max_boxes, MOST_BOXES,
+                "boxes looked at before it ends with the best proved so far; without it, no limit");
+  options.count("threads", budget.threads, 1024, "threads that compute");
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
+#include "command.h"
+#include "common_options.h"
+#include "decimal.h"
+#include "output.h"
+#include "pkm_workspace/region/largest_region.h"
+#include "progress.h"
+#include "shapes.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+const char* name(LargestRegion::Status status)
+{
+  switch (status)
+  {
+    case LargestRegion::Status::PROVEN:
+      return "proven";
+    case LargestRegion::Status::STOPPED:
+      return "stopped";
+    case LargestRegion::Status::NONE:
+      return "none";
+  }
+  throw std::logic_error("a status without a name");
+}
+
+bool isSolid(const Shape& shape)
+{
+  return (shape.halfExtents().array() > 0.0).all();
+}
+
+Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
+{
+  Json json = Json::array();
+  for (std::size_t i = 0; i < 3; ++i)
+    json.push_back({ { "joint", machine.leg(static_cast<int>(i)).joint },
+                     { "lower", ranges[i].lower.lower() },
+                     { "upper", ranges[i].upper.upper() },
+                     { "stroke", ranges[i].stroke.upper() },
+                     { "across", ranges[i].across.upper() } });
+  return json;
+}
+
+Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegion& region)
+{
+  const Shape& shape = *query.shape;
+  const bool found = region.size > 0.0;
+  Json json = contextOf(machine, query.criterion);
+  json["status"] = name(region.status);
+  json["shape"] = shape.name();
+  json["accuracy"] = query.accuracy;
+  json["center"] = found ? cli::toJson(region.center) : Json();
+  json["dimensions"] = found ? Json(shape.dimensions(region.size)) : Json();
+  json["size"] = region.size;
+  json["size_upper_bound"] = region.size_upper_bound;
+  json["joint_ranges"] = found ? toJson(machine, region.joint_ranges) : Json::array();
+  json["boxes"] = region.boxes;
+  json["verification_boxes"] = region.verification_boxes;
+  json["seconds"] = region.seconds;
+  json["message"] = region.message;
+  if (isSolid(shape))
+  {
+    json["volume"] = shape.volume(region.size).lower();
+    json["volume_upper_bound"] = shape.volume(region.size_upper_bound).upper();
+  }
+  return json;
+}
+
+std::string table(const Machine& machine, const std::array<JointRange, 3>& ranges, int decimals)
+{
+  std::vector<Words> rows = { { "joint", "lower [m]", "upper [m]", "stroke [m]", "across [m]" } };
+  for (std::size_t i = 0; i < 3; ++i)
+    rows.push_back({ machine.leg(static_cast<int>(i)).joint, roundedDown(ranges[i].lower.lower(), decimals),
+                     roundedUp(ranges[i].upper.upper(), decimals), roundedUp(ranges[i].stroke.upper(), decimals),
+                     roundedUp(ranges[i].across.upper(), decimals) });
+  return aligned(rows, Align::RIGHT);
+}
+
+class Largest : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which that is\n"
+           "proved, and an upper bound above which no such region exists, wherever its center. Ctrl-C ends the search\n"
+           "with the best proved so far.\n\n"
+           "  pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4\n"
+           "  pkm largest --urdf uranesx.urdf --shape square\n"
+           "  pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits on --json\n";
+  }
+
+  void declare(Options& options) override
+  {
+    machine_.declare(options);
+    options.choice("shape", shape_, shapeNames(), "what to look for; a square lies in the plane xy");
+    options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
+                   "of a box: its sides are size A, size B and size C, in metres");
+    declareCriterion(options, query_.criterion);
+    options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
+                   "largest difference between the proved size and its upper bound (of a box: in factors)");
+    options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
+    options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
+    declareBudget(options, query_.budget);
+    options.flag("progress", progress_, PROGRESS_HELP);
+    options.check({ "shape", "proportions" }, [this](Problems& problems) { setShape(problems); });
+    options.check({ "search-box", "center" }, [this](Problems& problems) {
+      if (query_.search_box && center_)
+        problems.push_back("only one of the two can be given");
+    });
+  }
+
+  Words warnings() const override { return machine_.warnings(); }
+
+  Answer answer() override
+  {
+    const Machine& machine = machine_.machine();
+    Progress progress(progress_);
+    query_.budget.stop = stopOnSignal();
+    query_.progress = [&progress](const RegionProgress& state) {
+      progress.tell(state.seconds, "size " + bracket(state.size, state.size_upper_bound) + ", " +
+                                       std::to_string(state.boxes_done) + " boxes done, " +
+                                       std::to_string(state.boxes_open) + " open");
+    };
+    const LargestRegion region =
+        center_ ? largestRegionAt(machine, query_, *center_) : findLargestRegion(machine, query_);
+    return { toJson(machine, query_, region), print(region) };
+  }
+
+private:
+  void setShape(Problems& problems)
+  {
+    try
+    {
+      query_.shape = makeShape(shape_, proportions_);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+  }
+
+  std::string print(const LargestRegion& region) const
+  {
+    const Shape& shape = *query_.shape;
+    const int decimals = decimalsFor(region.size, region.size_upper_bound);
+    std::vector<Words> rows = { { "status", std::string(name(region.status)) + " (" + region.message + ")" },
+                                { shape.sizeMeaning(), roundedDown(region.size, decimals) },
+                                { "upper bound", roundedUp(region.size_upper_bound, decimals) } };
+    if (region.size > 0.0)
+    {
+      rows.push_back({ "center", describe(region.center) });
+      rows.push_back({ "sides", dimensions(region.size, decimals) });
+      if (isSolid(shape))
+        rows.push_back(
+            { "volume",
+              bracket(shape.volume(region.size).lower(), shape.volume(region.size_upper_bound).upper()) + " m^3" });
+    }
+    rows.push_back({ "effort", std::to_string(region.boxes) + " boxes of centers, " + seconds(region.seconds) });
+    std::string text = "Largest " + shape.name() + " of machine '" + machine_.machine().name() + "'\n\n";
+    text += aligned(rows, Align::LEFT) + "\n";
+    if (region.size > 0.0)
+      text += table(machine_.machine(), region.joint_ranges, decimals) + "\n";
+    return text + wrapped(proof(region, decimals)) + wrapped(definition(query_.criterion));
+  }
+
+  std::string dimensions(double size, int decimals) const
+  {
+    Words sides;
+    for (const double side : query_.shape->dimensions(size))
+      sides.push_back(roundedDown(side, decimals));
+    return joined(sides, " x ") + " m";
+  }
+
+  std::string proof(const LargestRegion& region, int decimals) const
+  {
+    const std::string shape = query_.shape->name();
+    const std::string where = center_             ? "with this center"
+                              : query_.search_box ? "with its center in the search box"
+                                                  : "wherever its center";
+    const std::string first = "every point of the " + shape + " with this center and size is dextrous; ";
+    return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
+           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points dextrous.";
+  }
+
+  MachineOptions machine_;
+  RegionQuery query_;
+  bool progress_ = false;
+  std::string shape_ = "cube";
+  std::optional<Eigen::Vector3d> proportions_;
+  std::optional<Eigen::Vector3d> center_;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeLargest()
+{
+  return std::make_unique<Largest>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "decimal.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+std::string withDefault(const std::string& help, const std::string& value)
+{
+  return help + " [default " + value + "]";
+}
+}  // namespace
+
+void Options::add(const std::string& name, const std::string& values, const std::string& help, const Reader& read)
+{
+  Option option;
+  option.name = name;
+  option.values = values;
+  option.help = help;
+  option.read = read;
+  options_.push_back(option);
+}
+
+void Options::flag(const std::string& name, bool& target, const std::string& help)
+{
+  add(name, "", help, [&target](const Words&) { target = true; });
+}
+
+void Options::onOff(const std::string& name, bool& target, const std::string& help)
+{
+  add(name, "on|off", withDefault(help, target ? "on" : "off"), [&target](const Words& words) {
+    target = readChoice(words[0], { "on", "off" }) == "on";
+  });
+}
+
+void Options::choice(const std::string& name, std::string& target, const Words& allowed, const std::string& help)
+{
+  add(name, joined(allowed, "|"), target.empty() ? help : withDefault(help, target),
+      [&target, allowed](const Words& words) { target = readChoice(words[0], allowed); });
+}
+
+void Options::text(const std::string& name, std::string& target, const std::string& value, const std::string& help)
+{
+  add(name, value, help, [&target](const Words& words) { target = readText(words[0]); });
+}
+
+void Options::texts(const std::string& name, Words& target, const std::string& values, const std::string& help)
+{
+  add(name, values, help, [&target](const Words& words) {
+    target.clear();
+    std::transform(words.begin(), words.end(), std::back_inserter(target), readText);
+  });
+}
+
+void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)
+{
+  const std::string text = help + "; " + quantity.describe();
+  const std::string value = exact(target) + (quantity.unit.empty() ? "" : " " + quantity.unit);
+  add(name, "NUMBER", quantity.allows(target) ? withDefault(text, value) : text,
+      [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
+}
+
+void Options::number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
+                     const std::string& help)
+{
+  add(name, "NUMBER", help + "; " + quantity.describe(),
+      [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
+}
+
+void Options::addCount(const std::string& name, std::int64_t value, std::int64_t upper, const std::string& help,
+                       const std::function<void(std::int64_t)>& set)
+{
+  const std::string text = help + "; from 1 to " + std::to_string(upper);
+  add(name, "COUNT", value >= 1 ? withDefault(text, std::to_string(value)) : text,
+      [set, upper](const Words& words) { set(readCount(words[0], upper)); });
+}
+
+void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
+                     const Quantity& quantity, const std::string& help)
+{
+  add(name, values, help + "; each " + quantity.describe(), [&target, quantity](const Words& words) {
+    const std::vector<double> numbers = readNumbers(words, quantity);
+    target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  });
+}
+
+void Options::box(const std::string& name, std::optional<Box>& target, const std::string& help)
+{
+  add(name, "X0 X1 Y0 Y1 Z0 Z1", help + "; each " + LENGTH.describe() + ", X0 <= X1, Y0 <= Y1, Z0 <= Z1",
+      [&target](const Words& words) { target = readBox(words); });
+}
+
+void Options::require(const Words& names)
+{
+  for (const std::string& name : names)
+  {
+    Option* const option = find(name);
+    option->required = true;
+    option->help = "required: " + option->help;
+  }
+}
+
+void Options::check(const Words& names, const std::function<void(Problems&)>& condition)
+{
+  conditions_.push_back({ names, condition });
+}
+
+const Options::Option* Options::find(const std::string& name) const
+{
+  const auto option = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.name == name; });
+  return option == options_.end() ? nullptr : &*option;
+}
+
+Options::Option* Options::find(const std::string& name)
+{
+  return const_cast<Option*>(static_cast<const Options*>(this)->find(name));
+}
+
+bool Options::given(const std::string& name) const
+{
+  const Option* const option = find(name);
+  return option != nullptr && option->given;
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/dexterity/criterion.h"
+#include "values.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+/// The options of one command: each is declared once, with the variable that it sets, its unit and range; parsing, the
+/// help text with ranges and defaults, and the refusals follow from that. What the variable holds is the default; a
+/// number out of its own range is none.
+///
+/// There are only long options, so that negative numbers are numbers: --point -0.1 0 0.2.
+class Options
+{
+public:
+  void flag(const std::string& name, bool& target, const std::string& help);
+  void onOff(const std::string& name, bool& target, const std::string& help);
+  void choice(const std::string& name, std::string& target, const Words& allowed, const std::string& help);
+  void text(const std::string& name, std::string& target, const std::string& value, const std::string& help);
+  void texts(const std::string& name, Words& target, const std::string& values, const std::string& help);
+  void number(const std::string& name, double& target, const Quantity& quantity, const std::string& help);
+  void number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
+              const std::string& help);
+  /// From 1 to @p upper.
+  template <class Integer>
+  void count(const std::string& name, Integer& target, std::int64_t upper, const std::string& help)
+  {
+    addCount(name, target, upper, help, [&target](std::int64_t value) { target = static_cast<Integer>(value); });
+  }
+  void vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
+              const Quantity& quantity, const std::string& help);
+  void box(const std::string& name, std::optional<Box>& target, const std::string& help);
+
+  /// Asks for the options of these names.
+  void require(const Words& names);
+  /// A condition on the options of these names, looked at unless one of them was refused or is missing. What it appends
+  /// is told with those that were given in front.
+  void check(const Words& names, const std::function<void(Problems&)>& condition);
+  bool given(const std::string& name) const;
+
+  /// Sets the variables. @throws std::invalid_argument with everything that is wrong, one problem a line
+  void parse(const Words& words);
+  /// Writes one entry for each option.
+  void describe(std::ostream& stream) const;
+
+private:
+  /// Sets the variable, or throws std::invalid_argument with the reason.
+  using Reader = std::function<void(const Words&)>;
+  struct Option
+  {
+    std::string name;
+    std::string values;  ///< names of the values, separated by blanks
+    std::string help;
+    Reader read;
+    bool required = false;
+    bool given = false;
+    bool refused = false;
+    Words words = {};  ///< as given
+
+    void set(const Words& new_words, Problems& problems);
+    std::string asGiven() const;
+  };
+  struct Condition
+  {
+    Words names;
+    std::function<void(Problems&)> check;
+  };
+
+  void add(const std::string& name, const std::string& values, const std::string& help, const Reader& read);
+  void addCount(const std::string& name, std::int64_t value, std::int64_t upper, const std::string& help,
+                const std::function<void(std::int64_t)>& set);
+  const Option* find(const std::string& name) const;
+  Option* find(const std::string& name);
+  void readWords(const Words& words, Problems& problems);
+  void checkCondition(const Condition& condition, Problems& problems) const;
+
+  std::vector<Option> options_;
+  std::vector<Condition> conditions_;
+};
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "decimal.h"
+#include "pkm_workspace/version.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+Json contextOf(const Machine& machine, const Criterion& criterion)
+{
+  Json json = { { "machine", machine.name() },
+                { "geometry_hash", machine.geometryHash() },
+                { "version", version() },
+                { "joint_limits", criterion.joint_limits } };
+  if (criterion.set == Criterion::Set::DEXTROUS)
+  {
+    json["psi_min"] = criterion.psi_min;
+    json["psi_max"] = criterion.psi_max;
+  }
+  return json;
+}
+
+Json toJson(const Eigen::Vector3d& v)
+{
+  return { v.x(), v.y(), v.z() };
+}
+
+Json toJson(const Box& box)
+{
+  return { { "lower", toJson(box.lower) }, { "upper", toJson(box.upper) } };
+}
+
+Json toJson(BoxVerdict verdict)
+{
+  return verdict == BoxVerdict::UNDECIDED ? Json() : Json(verdict == BoxVerdict::INSIDE);
+}
+
+std::string name(Criterion::Set set)
+{
+  return set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";
+}
+
+std::string definition(const Criterion& criterion)
+{
+  std::string text = "Reachable: within reach of all three struts";
+  if (criterion.set == Criterion::Set::DEXTROUS)
+    text =
+        "Dextrous: reachable in the machine's own working mode and aspect, with all velocity transmission factors in "
+        "[" +
+        exact(criterion.psi_min) + ", " + exact(criterion.psi_max) + "]";
+  return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");
+}
+
+std::string seconds(double value)
+{
+  return nearly(value, 3) + " s";
+}
+
+std::string describe(const Eigen::Vector3d& v)
+{
+  return "(" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) + ") m";
+}
+
+std::string wrapped(const std::string& text)
+{
+  constexpr std::size_t COLUMNS = 100;
+  std::string lines;
+  std::size_t column = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word; column += word.size() + 1)
+  {
+    const bool next_line = column + word.size() > COLUMNS;
+    lines += (column == 0 ? "" : next_line ? "\n" : " ") + word;
+    column = next_line ? 0 : column;
+  }
+  return lines + "\n";
+}
+
+std::string aligned(const std::vector<Words>& rows, Align align)
+{
+  std::vector<std::size_t> widths;
+  for (const Words& row : rows)
+  {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Words& row : rows)
+  {
+    std::string line = " ";
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      const std::string blanks(widths[i] - row[i].size(), ' ');
+      line += " " + (i > 0 && align == Align::RIGHT ? " " + blanks + row[i] : row[i] + blanks + " ");
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/machine/machine.h"
+#include "values.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+using Json = nlohmann::json;
+
+/// What every answer says of itself: machine, geometry_hash, version, and the criterion in effect.
+Json contextOf(const Machine& machine, const Criterion& criterion);
+Json toJson(const Eigen::Vector3d& v);
+Json toJson(const Box& box);
+/// true for INSIDE, false for OUTSIDE, null for UNDECIDED.
+Json toJson(BoxVerdict verdict);
+
+/// "dextrous" or "reachable".
+std::string name(Criterion::Set set);
+/// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".
+std::string definition(const Criterion& criterion);
+/// "0.0123 s".
+std::string seconds(double value);
+/// "(x, y, z) m" with every digit.
+std::string describe(const Eigen::Vector3d& v);
+
+/// The words of a text in lines of at most 100 columns.
+std::string wrapped(const std::string& text);
+
+/// Lines of cells in columns; the first column is aligned to the left, the others as told.
+enum class Align
+{
+  LEFT,
+  RIGHT
+};
+std::string aligned(const std::vector<Words>& rows, Align align);
+}  // namespace cli
+}  // namespace pkm_workspace

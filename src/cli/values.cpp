@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "values.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "decimal.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+/// The number that a word stands for, or an empty text's worth of trouble: what is wrong with it.
+struct Reading
+{
+  double value = 0.0;
+  std::string problem;
+};
+
+Reading readNumber(const std::string& word, const Quantity& quantity)
+{
+  Reading reading;
+  char* end = nullptr;
+  errno = 0;
+  reading.value = std::strtod(word.c_str(), &end);
+  if (word.empty() || std::isspace(static_cast<unsigned char>(word[0])) || *end != '\0')
+    reading.problem = "'" + word + "' is not a number";
+  else if (!std::isfinite(reading.value) || errno == ERANGE)
+    reading.problem = word + " is not a finite number that fits a double";
+  else if (!quantity.allows(reading.value))
+    reading.problem = word + " is out of range";
+  return reading;
+}
+
+void throwIfAny(const Words& problems)
+{
+  if (!problems.empty())
+    throw std::invalid_argument(joined(problems, "; "));
+}
+}  // namespace
+
+std::string joined(const Words& words, const std::string& separator)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : separator) + words[i];
+  return text;
+}
+
+bool Quantity::allows(double value) const
+{
+  return lower_allowed ? value >= lower : value > lower;
+}
+
+std::string Quantity::describe() const
+{
+  if (!std::isfinite(lower))
+    return unit.empty() ? "a number" : "a number [" + unit + "]";
+  return (lower_allowed ? ">= " : "> ") + exact(lower) + (unit.empty() ? ", without unit" : " " + unit);
+}
+
+std::vector<double> readNumbers(const Words& words, const Quantity& quantity)
+{
+  std::vector<double> numbers;
+  Words problems;
+  for (const std::string& word : words)
+  {
+    const Reading reading = readNumber(word, quantity);
+    numbers.push_back(reading.value);
+    if (!reading.problem.empty())
+      problems.push_back(reading.problem);
+  }
+  if (!problems.empty())
+    problems.push_back("allowed: " + quantity.describe());
+  throwIfAny(problems);
+  return numbers;
+}
+
+std::int64_t readCount(const std::string& word, std::int64_t upper)
+{
+  char* end = nullptr;
+  errno = 0;
+  const long long value = std::strtoll(word.c_str(), &end, 10);
+  const bool is_number = !word.empty() && !std::isspace(static_cast<unsigned char>(word[0])) && *end == '\0';
+  if (!is_number || errno == ERANGE || value < 1 || value > upper)
+    throw std::invalid_argument((is_number ? word + " is out of range" : "'" + word + "' is not a whole number") +
+                                "; allowed: from 1 to " + std::to_string(upper));
+  return value;
+}
+
+std::string readChoice(const std::string& word, const Words& allowed)
+{
+  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+    throw std::invalid_argument("'" + word + "' is not known; allowed: " + joined(allowed, ", "));
+  return word;
+}
+
+std::string readText(const std::string& word)
+{
+  if (word.empty())
+    throw std::invalid_argument("the text is empty");
+  return word;
+}
+
+Box readBox(const Words& words)
+{
+  const std::vector<double> faces = readNumbers(words, LENGTH);
+  const Box box{ { faces[0], faces[2], faces[4] }, { faces[1], faces[3], faces[5] } };
+  Words problems;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (faces[2 * axis] > faces[2 * axis + 1])
+    {
+      const std::string letter(1, "XYZ"[axis]);
+      problems.push_back(words[2 * axis] + " m is above " + words[2 * axis + 1] + " m; allowed: " + letter +
+                         "0 <= " + letter + "1");
+    }
+  throwIfAny(problems);
+  return box;
+}
+}  // namespace cli
+}  // namespace pkm_workspace

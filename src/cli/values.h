@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/interval/box.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+using Words = std::vector<std::string>;
+
+std::string joined(const Words& words, const std::string& separator);
+
+/// What a number on the command line may be.
+struct Quantity
+{
+  std::string unit = "";  ///< "m", "s", ...; empty for a number without unit
+  double lower = -std::numeric_limits<double>::infinity();
+  bool lower_allowed = true;  ///< whether the number may be equal to lower
+
+  bool allows(double value) const;
+  /// "> 0 m", ">= 0 m", "a number [m]": for help texts and for refusals.
+  std::string describe() const;
+};
+
+const Quantity LENGTH{ "m" };
+const Quantity LENGTH_NOT_NEGATIVE{ "m", 0.0 };
+const Quantity LENGTH_POSITIVE{ "m", 0.0, false };
+const Quantity NUMBER_POSITIVE{ "", 0.0, false };
+const Quantity NUMBER_NOT_NEGATIVE{ "", 0.0 };
+const Quantity TIME_POSITIVE{ "s", 0.0, false };
+
+/// Each of these reads the words of one option. @throws std::invalid_argument with the word and what is allowed
+std::vector<double> readNumbers(const Words& words, const Quantity& quantity);
+std::int64_t readCount(const std::string& word, std::int64_t upper);
+std::string readChoice(const std::string& word, const Words& allowed);
+std::string readText(const std::string& word);
+/// Six numbers X0 X1 Y0 Y1 Z0 Z1 [m] with X0 <= X1 and so on.
+Box readBox(const Words& words);
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm evaluate against the closed forms of the paper's machines."""
+
+import math
+import unittest
+
+from pkm import MACHINES, ORTHOGLIDE, URANESX, CommandTest
+
+
+class Evaluate(CommandTest):
+    def evaluate(self, urdf, point, *words):
+        return self.answer("evaluate", "--urdf", urdf, "--point", *point, *words)
+
+    def assertVectorsNear(self, vector, expected):
+        self.assertEqual(len(vector), len(expected))
+        for value, wanted in zip(vector, expected):
+            self.assertAlmostEqual(value, wanted, places=12)
+
+    def test_isotropic_point_of_the_orthoglide(self):
+        answer = self.evaluate(ORTHOGLIDE, (0, 0, 0))
+        self.assertVectorsNear(answer["psi"], [1, 1, 1])
+        self.assertVectorsNear(answer["rho"], [0, 0, 0])
+        self.assertAlmostEqual(answer["condition"], 1, places=12)
+        self.assertAlmostEqual(answer["serial_singularity"], 1, places=12)
+        self.assertAlmostEqual(answer["parallel_singularity"], 1, places=12)
+        for key in ("reachable", "dextrous", "aspect_ok"):
+            self.assertIs(answer[key], True, key)
+
+    def test_diagonal_of_the_orthoglide(self):
+        for t in (-0.2, 0.1, 0.3):
+            k = t / math.sqrt(1 - 2 * t * t)
+            psi = sorted([1 + 2 * k, 1 - k, 1 - k])
+            answer = self.evaluate(ORTHOGLIDE, (t, t, t))
+            self.assertVectorsNear(answer["psi"], psi)
+            self.assertAlmostEqual(answer["condition"], psi[2] / psi[0], places=11)
+            self.assertVectorsNear(answer["rho"], [t + 1 - math.sqrt(1 - 2 * t * t)] * 3)
+
+    def test_axis_of_the_uranesx(self):
+        across = 7 / 13 - 3 / 26  # R - r: the struts' part across the rails, evenly spread around the axis
+        along = math.sqrt(1 - across**2)
+        answer = self.evaluate(URANESX, (0, 0, 0.25))
+        self.assertVectorsNear(answer["psi"], sorted([math.sqrt(1.5) * across / along] * 2 + [math.sqrt(3)]))
+        self.assertVectorsNear(answer["rho"], [0.25 + along] * 3)
+
+    def test_unreachable_point_is_an_answer(self):
+        for name, urdf in MACHINES.items():
+            with self.subTest(name):
+                answer = self.evaluate(urdf, (2, 0, 0))
+                self.assertIs(answer["reachable"], False)
+                self.assertIs(answer["dextrous"], False)
+                for key in ("psi", "rho", "condition", "aspect_ok"):
+                    self.assertIsNone(answer[key], key)
+                self.assertRegex(answer["message"], "strut of 'rail_.*' is 1 m long and would have to reach [0-9.]+ m")
+
+    def test_other_aspect_is_not_dextrous(self):
+        answer = self.evaluate(ORTHOGLIDE, (-0.546, -0.546, -0.546))
+        self.assertIs(answer["reachable"], True)
+        self.assertIs(answer["aspect_ok"], False)
+        self.assertIs(answer["dextrous"], False)
+        self.assertRegex(answer["message"], "det A has the other sign")
+
+    def test_psi_bounds_decide(self):
+        point = (0.3, 0.3, 0.3)
+        least, _, largest = self.evaluate(ORTHOGLIDE, point)["psi"]
+        self.assertIs(self.evaluate(ORTHOGLIDE, point, "--psi-max", largest + 1e-9)["dextrous"], True)
+        refused = self.evaluate(ORTHOGLIDE, point, "--psi-max", largest - 1e-9)
+        self.assertIs(refused["dextrous"], False)
+        self.assertEqual(refused["psi_max"], largest - 1e-9)
+        self.assertRegex(refused["message"], "largest velocity transmission factor is .*, above")
+        below = self.evaluate(ORTHOGLIDE, point, "--psi-min", least + 1e-9)
+        self.assertRegex(below["message"], "least velocity transmission factor is .*, below")
+
+    def test_border_is_undecided(self):
+        answer = self.evaluate(ORTHOGLIDE, (0, 0, 0), "--psi-min", 1, "--psi-max", 1)
+        self.assertIsNone(answer["dextrous"])
+
+    def test_joint_limits_decide_only_when_asked_for(self):
+        urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.1))
+        point = (0.25, 0, 0)
+        self.assertIs(self.evaluate(urdf, point)["dextrous"], True)
+        self.assertIs(self.evaluate(urdf, point)["joint_limits"], False)
+        refused = self.evaluate(urdf, point, "--joint-limits", "on")
+        self.assertIs(refused["dextrous"], False)
+        self.assertIs(refused["reachable"], True)
+        self.assertRegex(refused["message"], "joint 'rail_x' would be at 0.25 m, its limits are -0.1 m and 0.1 m")
+
+    def test_text_names_values_with_units(self):
+        text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--point", "-0.1", "0", "0.2")
+        for line in (r"reachable +yes \(proved\)", r"psi +[0-9.]+  [0-9.]+  [0-9.]+", r"rho( +-?[0-9.]+ m){3}"):
+            self.assertRegex(text, line)
+
+
+if __name__ == "__main__":
+    unittest.main()

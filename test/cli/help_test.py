@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The help texts: complete, with units, ranges and defaults, and their examples run."""
+
+import os
+import re
+import shlex
+import unittest
+from xml.etree import ElementTree
+
+from pkm import MACHINES, URDF, CommandTest
+
+MACHINE = {"urdf", "rails", "tcp-links"}
+CRITERION = {"psi-min", "psi-max", "joint-limits"}
+BUDGET = {"time-limit", "max-boxes", "threads", "progress"}
+COMMON = {"json", "help"}
+OPTIONS = {
+    "evaluate": MACHINE | CRITERION | COMMON | {"point"},
+    "largest": MACHINE | CRITERION | BUDGET | COMMON | {"shape", "proportions", "accuracy", "search-box", "center"},
+    "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box"},
+    "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
+}
+
+
+class Help(CommandTest):
+    def test_overview_names_every_command(self):
+        text = self.text("--help")
+        for command in OPTIONS:
+            self.assertRegex(text, rf"(?m)^  {command}  +\w")
+        for word in ("metres", "seconds", "Exit code", "--json", "--version"):
+            self.assertIn(word, text)
+
+    def test_each_command_names_exactly_its_options(self):
+        for command, options in OPTIONS.items():
+            listed = re.findall(r"(?m)^  --([a-z-]+)", self.text(command, "--help"))
+            self.assertEqual(sorted(listed), sorted(options), command)
+
+    def test_options_tell_range_and_default(self):
+        text = re.sub(r"\s+", " ", self.text("largest", "--help"))
+        for option, fact in (("--psi-min NUMBER", "> 0, without unit [default 0.5]"),
+                             ("--psi-max NUMBER", "> 0, without unit [default 2]"),
+                             ("--accuracy NUMBER", "> 0 m [default 0.001 m]"),
+                             ("--joint-limits on|off", "[default off]"),
+                             ("--shape cube|square|box", "[default cube]"),
+                             ("--threads COUNT", "from 1 to 1024 [default 1]"),
+                             ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),
+                             ("--time-limit NUMBER", "> 0 s"),
+                             ("--urdf FILE", "required")):
+            entry = re.search(re.escape(option) + r"((?! --[a-z]).)*", text)
+            self.assertIsNotNone(entry, option)
+            self.assertIn(fact, entry.group())
+
+    def test_help_wins_over_mistakes(self):
+        self.assertEqual(self.text("largest", "--psi-min", "x", "--help"), self.text("largest", "--help"))
+
+    def test_examples_run(self):
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, "/")
+        for name, path in MACHINES.items():
+            (self.folder / f"{name}.urdf").symlink_to(path)
+        for command in OPTIONS:
+            examples = re.findall(r"(?m)^  pkm (.*)$", self.text(command, "--help"))
+            self.assertGreater(len(examples), 0, command)
+            for example in examples:
+                with self.subTest(example):
+                    self.text(*[word.replace(".urdf", "_new.urdf") if command == "urdf" else word
+                                for word in shlex.split(example)])
+
+    def test_version_is_the_package_s(self):
+        version = ElementTree.parse(URDF.parent / "package.xml").getroot().findtext("version")
+        self.assertEqual(self.text("--version"), f"pkm_workspace {version}\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

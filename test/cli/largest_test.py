@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm largest against the reference values: closed forms, and dense searches that are good to 1e-5."""
+
+import math
+import re
+import unittest
+from fractions import Fraction
+
+from pkm import MACHINES, ORTHOGLIDE, URANESX, CommandTest
+
+CUBE = 1 / math.sqrt(6) + 1 / (3 * math.sqrt(2))  # largest cube of the unit Orthoglide, edge [m]
+CUBE_STROKE = 1 + 1 / (3 * math.sqrt(2)) - 1 / math.sqrt(6)  # its joint range [m]
+CUBE_ACROSS = 1 - math.sqrt(2 / 3)  # and the part of it across the face [m]
+SEARCH = 1e-5  # error of the values that a search gave [m]
+SOLIDS = {"cube": [], "box": ["--proportions", 2, 1, 1]}
+SHAPES = dict(SOLIDS, square=[])
+
+
+class Largest(CommandTest):
+    def largest(self, urdf, *words):
+        return self.answer("largest", "--urdf", urdf, *words)
+
+    def assertProven(self, answer, size, slack=0.0):
+        self.assertEqual(answer["status"], "proven")
+        self.assertLessEqual(answer["size_upper_bound"] - answer["size"], answer["accuracy"])
+        self.assertBrackets(answer["size"], size, answer["size_upper_bound"], slack)
+
+    def test_cube_of_the_orthoglide(self):
+        for accuracy in (1e-2, 1e-3, 1e-5, 1e-7):
+            answer = self.largest(ORTHOGLIDE, "--accuracy", accuracy)
+            self.assertProven(answer, CUBE, 1e-12)
+            self.assertEqual(answer["accuracy"], accuracy)
+
+    def test_joint_ranges_of_the_orthoglide(self):
+        answer = self.largest(ORTHOGLIDE, "--accuracy", 1e-7)
+        self.assertEqual([entry["joint"] for entry in answer["joint_ranges"]], ["rail_x", "rail_y", "rail_z"])
+        for entry in answer["joint_ranges"]:
+            self.assertAlmostEqual(entry["stroke"], CUBE_STROKE, delta=1e-5)
+            self.assertAlmostEqual(entry["across"], CUBE_ACROSS, delta=1e-5)
+            self.assertGreaterEqual(entry["upper"] - entry["lower"], entry["stroke"] - 1e-6)
+
+    def test_cubes_for_other_bounds(self):
+        for factor, edge in ((1.5, 0.397924), (2.5, 0.733668), (3, 0.786583), (4, 0.845790)):
+            answer = self.largest(ORTHOGLIDE, "--psi-min", 1 / factor, "--psi-max", factor, "--accuracy", 1e-4)
+            self.assertProven(answer, edge, SEARCH)
+            self.assertEqual(answer["psi_max"], factor)
+
+    def test_squares_of_the_uranesx(self):
+        for shift, paper, edge in ((0, 0.51, 0.51949), (0.05, 0.47, 0.47585), (0.1, 0.42, 0.42859),
+                                   (0.15, 0.37, 0.377935), (0.2, 0.32, 0.324062), (-0.035, 0, 0.54774)):
+            urdf = self.machine("--machine", "uranesx", "--lambda", shift)
+            answer = self.largest(urdf, "--shape", "square", "--accuracy", 1e-4)
+            self.assertProven(answer, edge, SEARCH)
+            self.assertGreater(answer["size"], paper)
+            self.assertNotIn("volume", answer)
+
+    def test_other_lengths(self):
+        for length in (0.31058, 1000):
+            urdf = self.machine("--machine", "orthoglide", "--length", length)
+            answer = self.largest(urdf, "--accuracy", 1e-4 * length)
+            self.assertProven(answer, CUBE * length, 1e-12 * length)
+
+    def test_region_is_inside_and_one_of_the_upper_bound_is_not(self):
+        for name, words in SHAPES.items():
+            answer = self.largest(ORTHOGLIDE, "--shape", name, *words)
+            check = lambda sides: self.answer("check", "--urdf", ORTHOGLIDE, "--center", *answer["center"],
+                                              "--sides", *sides)["verdict"]
+            self.assertEqual(check(answer["dimensions"]), "inside")
+            growth = answer["size_upper_bound"] / answer["size"] * (1 + 1e-12)
+            self.assertEqual(check([growth * side for side in answer["dimensions"]]), "outside")
+
+    def test_volume_brackets(self):
+        for name, words in SOLIDS.items():
+            answer = self.largest(ORTHOGLIDE, "--shape", name, *words)
+            product = Fraction(2 if name == "box" else 1)
+            self.assertLessEqual(Fraction(answer["volume"]), product * Fraction(answer["size"])**3)
+            self.assertGreaterEqual(Fraction(answer["volume_upper_bound"]),
+                                    product * Fraction(answer["size_upper_bound"])**3)
+
+    def test_search_box_and_center(self):
+        everywhere = self.largest(ORTHOGLIDE, "--search-box", -1, 1, -1, 1, -1, 1)
+        self.assertProven(everywhere, CUBE, 1e-12)
+        origin = self.largest(ORTHOGLIDE, "--center", 0, 0, 0)
+        self.assertEqual(origin["center"], [0, 0, 0])
+        same = self.largest(ORTHOGLIDE, "--search-box", 0, 0, 0, 0, 0, 0)
+        self.assertEqual(origin["size"], same["size"])
+        self.assertLess(origin["size_upper_bound"], CUBE)
+        aside = self.largest(ORTHOGLIDE, "--search-box", 0.2, 0.3, -0.1, 0, -0.3, 0.1)
+        for value, lower, upper in zip(aside["center"], (0.2, -0.1, -0.3), (0.3, 0, 0.1)):
+            self.assertBrackets(lower, value, upper)
+
+    def test_joint_limits(self):
+        urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.2))
+        self.assertProven(self.largest(urdf), CUBE, 1e-12)
+        answer = self.largest(urdf, "--joint-limits", "on", "--max-boxes", 20000)
+        self.assertIs(answer["joint_limits"], True)
+        self.assertEqual(answer["status"], "proven")
+        self.assertLess(answer["size_upper_bound"], 0.3)
+        for entry in answer["joint_ranges"]:
+            self.assertGreaterEqual(entry["lower"], -0.1 - 1e-6)
+            self.assertLessEqual(entry["upper"], 0.2 + 1e-6)
+
+    def test_budget_ends_with_an_honest_bracket(self):
+        answer = self.largest(ORTHOGLIDE, "--max-boxes", 2, "--accuracy", 1e-9)
+        self.assertEqual(answer["status"], "stopped")
+        self.assertBrackets(answer["size"], CUBE, answer["size_upper_bound"], 1e-12)
+        self.assertTrue(answer["message"])
+
+    def test_none_is_an_answer(self):
+        answer = self.largest(ORTHOGLIDE, "--psi-min", 0.99, "--psi-max", 0.995)
+        self.assertEqual(answer["status"], "none")
+        self.assertEqual(answer["size"], 0)
+        self.assertLessEqual(answer["size_upper_bound"], answer["accuracy"])
+        self.assertIsNone(answer["center"])
+        self.assertEqual(answer["joint_ranges"], [])
+        text = self.text("largest", "--urdf", ORTHOGLIDE, "--psi-min", 0.99, "--psi-max", 0.995)
+        self.assertRegex(text, r"status +none")
+
+    def test_threads_prove_the_same(self):
+        self.assertProven(self.largest(ORTHOGLIDE, "--threads", 2), CUBE, 1e-12)
+
+    def test_every_answer_describes_itself(self):
+        keys = {"status", "center", "dimensions", "size", "size_upper_bound", "joint_ranges", "boxes", "seconds",
+                "shape", "accuracy", "psi_min", "psi_max", "joint_limits", "machine", "geometry_hash", "version",
+                "message"}
+        hashes = set()
+        for name, urdf in MACHINES.items():
+            answer = self.largest(urdf, "--shape", "square")
+            self.assertLessEqual(keys, answer.keys())
+            self.assertEqual(answer["machine"], name)
+            self.assertEqual(answer["dimensions"][2], 0)
+            hashes.add(answer["geometry_hash"])
+        self.assertEqual(len(hashes), len(MACHINES))
+
+    def test_text_never_claims_more_than_the_numbers(self):
+        for urdf, shape in ((ORTHOGLIDE, "cube"), (URANESX, "square")):
+            for accuracy in (1e-2, 1e-4, 3e-6):
+                words = ("--urdf", urdf, "--shape", shape, "--accuracy", accuracy)
+                answer, text = self.answer("largest", *words), self.text("largest", *words)
+                number = lambda pattern: Fraction(re.search(pattern, text).group(1))
+                self.assertLessEqual(number(r"edge \[m\] +(\S+)"), Fraction(answer["size"]))
+                self.assertGreaterEqual(number(r"upper bound +(\S+)"), Fraction(answer["size_upper_bound"]))
+                self.assertGreaterEqual(number(r"a\s+size\s+above\s+(\S+),"), Fraction(answer["size_upper_bound"]))
+                for entry in answer["joint_ranges"]:
+                    row = re.search(entry["joint"] + r" +(\S+) +(\S+) +(\S+) +(\S+)", text).groups()
+                    lower, upper, stroke, across = map(Fraction, row)
+                    self.assertLessEqual(lower, Fraction(entry["lower"]))
+                    self.assertGreaterEqual(upper, Fraction(entry["upper"]))
+                    self.assertGreaterEqual(stroke, Fraction(entry["stroke"]))
+                    self.assertGreaterEqual(across, Fraction(entry["across"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm pave: volumes against closed forms and dense searches, budgets and signals."""
+
+import json
+import math
+import re
+import signal
+import subprocess
+import unittest
+from fractions import Fraction
+
+from pkm import MACHINES, ORTHOGLIDE, PKM, URANESX, CommandTest
+
+REACHABLE = 8 * (2 - math.sqrt(2))  # unit Orthoglide, both aspects [m^3]
+REACHABLE_OWN = 4.227  # and the machine's own one, by a search
+DEXTROUS = 1.632  # volume with psi in [0.5, 2], by a search that is good to 0.001
+
+
+class Pave(CommandTest):
+    def pave(self, urdf, *words):
+        return self.answer("pave", "--urdf", urdf, *words)
+
+    def assertVolume(self, volumes, value, slack=0.0):
+        self.assertBrackets(volumes["volume_lower"], value, volumes["volume_upper"], slack)
+
+    def test_dextrous_volume_of_the_orthoglide(self):
+        widths = []
+        for resolution in (0.1, 0.05, 0.025):
+            answer = self.pave(ORTHOGLIDE, "--resolution", resolution)
+            self.assertVolume(answer, DEXTROUS, 1e-3)
+            self.assertIs(answer["complete"], True)
+            self.assertEqual(answer["boxes_pending"], 0)
+            self.assertEqual(answer["resolution"], resolution)
+            widths.append(answer["volume_upper"] - answer["volume_lower"])
+        self.assertEqual(widths, sorted(widths, reverse=True))
+
+    def test_reachable_volume_of_the_orthoglide(self):
+        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--resolution", 0.05)
+        self.assertVolume(answer, REACHABLE)
+        self.assertVolume(answer["own_aspect"], REACHABLE_OWN, 1e-3)
+        self.assertVolume(answer["other_aspect"], REACHABLE - REACHABLE_OWN, 1e-3)
+        self.assertNotIn("psi_min", answer)
+
+    def test_box_bounds_what_is_looked_at(self):
+        answer = self.pave(ORTHOGLIDE, "--box", -0.1, 0.1, 0, 0.1, -0.1, 0)
+        self.assertEqual(answer["box"], {"lower": [-0.1, 0, -0.1], "upper": [0.1, 0.1, 0]})
+        self.assertVolume(answer, 0.2 * 0.1 * 0.1)
+        self.assertEqual(answer["boxes_boundary"], 0)
+
+    def test_uranesx_in_a_box(self):
+        answer = self.pave(URANESX, "--box", -0.5, 0.5, -0.5, 0.5, 0, 0.5)
+        twice = self.pave(URANESX, "--box", -0.5, 0.5, -0.5, 0.5, 0, 1)
+        self.assertGreater(answer["volume_lower"], 0.1)
+        self.assertBrackets(twice["volume_lower"], 2 * answer["volume_upper"], math.inf)
+        self.assertBrackets(0, 2 * answer["volume_lower"], twice["volume_upper"])
+
+    def test_joint_limits(self):
+        for name, urdf in MACHINES.items():
+            with self.subTest(name):
+                near = self.file("near.urdf", self.with_limits(urdf, -0.1, 0.2))
+                limited = self.pave(near, "--joint-limits", "on", "--set", "reachable")
+                self.assertIs(limited["joint_limits"], True)
+                self.assertGreater(limited["volume_lower"], 0)
+                self.assertLess(limited["volume_upper"], REACHABLE)
+
+    def test_budget_ends_with_an_honest_bracket(self):
+        answer = self.pave(ORTHOGLIDE, "--max-boxes", 1000)
+        self.assertIs(answer["complete"], False)
+        self.assertGreater(answer["boxes_pending"], 0)
+        self.assertVolume(answer, DEXTROUS, 1e-3)
+
+    def test_interrupt_ends_with_what_is_proved(self):
+        process = subprocess.Popen([PKM, "pave", "--urdf", ORTHOGLIDE, "--resolution", "1e-4", "--progress", "--json"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertRegex(process.stderr.readline(), r"^\d+ s: volume inside .* boxes$")  # it is under way
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate()
+        self.assertEqual(process.returncode, 0)
+        answer = json.loads(output)
+        self.assertIs(answer["complete"], False)
+        self.assertVolume(answer, DEXTROUS, 1e-3)
+
+    def test_text_never_claims_more_than_the_numbers(self):
+        for resolution in (0.2, 0.1, 0.06):
+            words = ("pave", "--urdf", ORTHOGLIDE, "--resolution", resolution)
+            answer, text = self.answer(*words), self.text(*words)
+            lower, upper = map(Fraction, re.search(r"volume +(\S+) to (\S+) m\^3", text).groups())
+            self.assertLessEqual(lower, Fraction(answer["volume_lower"]))
+            self.assertGreaterEqual(upper, Fraction(answer["volume_upper"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input: exit code 2, nothing on standard output, and a reason that names option, value and what is allowed."""
+
+import subprocess
+import unittest
+
+from pkm import ORTHOGLIDE, PKM, URANESX, CommandTest, run
+
+EVALUATE = f"evaluate --urdf {ORTHOGLIDE} "
+LARGEST = f"largest --urdf {ORTHOGLIDE} "
+CHECK = f"check --urdf {ORTHOGLIDE} "
+PAVE = f"pave --urdf {ORTHOGLIDE} "
+
+# command line, and a regular expression for a line of standard error
+REFUSALS = [
+    ("", "a command is missing"),
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, urdf"),
+    ("-h", "'-h' is not a command"),
+    ("largest", "--urdf FILE: the option is missing"),
+    ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),
+    ("largest --urdf /no/such/file.urdf", "--urdf /no/such/file.urdf: .*No such file or directory"),
+    ("largest --urdf /", "--urdf /: .*Is a directory"),
+    (f"largest --urdf {__file__}", "--urdf .*: the URDF is refused"),
+    (LARGEST + "--psimin 0.5", "--psimin: there is no such option"),
+    (LARGEST + "--psi 0.5", "--psi: there is no such option"),
+    (LARGEST + "--psimin=0.5", "--psimin: there is no such option"),
+    (LARGEST + "--threads 2 3", r"--threads 2 3: needs one value \(COUNT\), got 2"),
+    (LARGEST + "--json yes", "--json yes: needs 0 values, got 1"),
+    (LARGEST + "--json=yes", "--json yes: needs 0 values, got 1"),
+    (LARGEST + "--psi-min 0.4 --psi-min 0.5", "--psi-min 0.5: the option is given a second time"),
+    (LARGEST + "--psi-min 0", "--psi-min 0: 0 is out of range; allowed: > 0, without unit"),
+    (LARGEST + "--psi-max -2", "--psi-max -2: -2 is out of range; allowed: > 0, without unit"),
+    (LARGEST + "--psi-max 0.4", "--psi-max 0.4: psi_max = 0.4.* must be at least psi_min"),
+    (LARGEST + "--psi-min 1e-200", "--psi-min 1e-200: psi_min = .* must be positive and finite"),
+    (LARGEST + "--psi-min half", "--psi-min half: 'half' is not a number; allowed: > 0"),
+    (LARGEST + "--psi-min 0.5x", "--psi-min 0.5x: '0.5x' is not a number"),
+    (LARGEST + "--psi-min nan", "--psi-min nan: nan is not a finite number"),
+    (LARGEST + "--psi-max inf", "--psi-max inf: inf is not a finite number"),
+    (LARGEST + "--psi-max 1e999", "--psi-max 1e999: 1e999 is not a finite number that fits a double"),
+    (LARGEST + "--accuracy 0", "--accuracy 0: 0 is out of range; allowed: > 0 m"),
+    (LARGEST + "--accuracy 1e-400", "--accuracy 1e-400: 1e-400 is not a finite number that fits a double"),
+    (LARGEST + "--joint-limits yes", "--joint-limits yes: 'yes' is not known; allowed: on, off"),
+    (LARGEST + "--shape egg", "--shape egg: 'egg' is not known; allowed: cube, square, box"),
+    (LARGEST + "--shape box", "--shape box: a box needs --proportions A B C"),
+    (LARGEST + "--proportions 1 2 3", "--proportions 1 2 3: a cube has no proportions"),
+    (LARGEST + "--shape box --proportions 1 2", r"--proportions 1 2: needs 3 values \(A B C\), got 2"),
+    (LARGEST + "--shape box --proportions 1 -2 1", "--proportions 1 -2 1: -2 is out of range; allowed: >= 0"),
+    (LARGEST + "--shape box --proportions 0 0 0", r"--proportions 0 0 0: .*at least one of them positive"),
+    (LARGEST + "--search-box 0 1 0 1 0", r"--search-box .*: needs 6 values \(X0 X1 Y0 Y1 Z0 Z1\), got 5"),
+    (LARGEST + "--search-box 0 1 1 0 0 1", "--search-box .*: 1 m is above 0 m; allowed: Y0 <= Y1"),
+    (LARGEST + "--search-box 0 1 0 1 0 1 --center 0 0 0", "--search-box .*, --center .*: only one of the two"),
+    (LARGEST + "--center 0 nan 0", "--center 0 nan 0: nan is not a finite number"),
+    (LARGEST + "--time-limit -1", "--time-limit -1: -1 is out of range; allowed: > 0 s"),
+    (LARGEST + "--max-boxes 0", "--max-boxes 0: 0 is out of range; allowed: from 1 to 1000000000000"),
+    (LARGEST + "--max-boxes 1e3", "--max-boxes 1e3: '1e3' is not a whole number"),
+    (LARGEST + "--threads 0", "--threads 0: 0 is out of range; allowed: from 1 to 1024"),
+    (LARGEST + "--threads 99999999999999999999", "--threads 9+: 9+ is out of range"),
+    (LARGEST + "--rails a b", r"--rails a b: needs 3 values \(JOINT JOINT JOINT\), got 2"),
+    (LARGEST + "--rails a b c", "'a'"),
+    (LARGEST + "--tcp-links a b c", "'a'"),
+    (LARGEST + "--threads 1 stray", "got 2"),
+    (EVALUATE, "--point X Y Z: the option is missing"),
+    (EVALUATE + "--point", r"--point: needs 3 values \(X Y Z\), got 0"),
+    (EVALUATE + "--point 1 2", r"--point 1 2: needs 3 values \(X Y Z\), got 2"),
+    (EVALUATE + "--point 1 2 -inf", r"--point 1 2 -inf: -inf is not a finite number .*; allowed: a number \[m\]"),
+    (EVALUATE + "--point 0 0 0 --accuracy 1", "--accuracy: there is no such option"),
+    (EVALUATE + "-- 0 0 0", "'0': an option was expected here"),
+    (CHECK + "--center 0 0 0", "--sides A B C: the option is missing"),
+    (CHECK + "--center 0 0 0 --sides 1 1 -1", "--sides 1 1 -1: -1 is out of range; allowed: >= 0 m"),
+    (CHECK + "--center 0 0 0 --sides 0 0 0", "--sides 0 0 0: one side at least must be above 0 m"),
+    (PAVE + "--resolution 0", "--resolution 0: 0 is out of range; allowed: > 0 m"),
+    (PAVE + "--set all", "--set all: 'all' is not known; allowed: dextrous, reachable"),
+    (PAVE + "--set reachable --psi-min 0.6", "--set reachable, --psi-min 0.6: a reachable set has no"),
+    (PAVE + "--box 1 0 0 1 0 1", "--box .*: 1 m is above 0 m; allowed: X0 <= X1"),
+    (f"pave --urdf {URANESX}", "rails are parallel.*joint limits.*box"),
+    ("urdf", r"--machine orthoglide\|uranesx: the option is missing"),
+    ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, uranesx"),
+    ("urdf --machine orthoglide --length -1", "--length -1: -1 is out of range; allowed: > 0 m"),
+    ("urdf --machine orthoglide --lambda 0.1", "--machine orthoglide, --lambda 0.1: an orthoglide has only a length"),
+    ("urdf --machine uranesx --lambda 0.1 --rail-radius 1", "--rail-radius 1, --lambda 0.1: only one of the two"),
+    ("urdf --machine uranesx --lambda 3", "--lambda 3: R - r = .* m must lie between 0 and the strut length L = 1 m"),
+    ("urdf --machine orthoglide --output /no/such/folder/x", "--output /no/such/folder/x: cannot be written: No such"),
+    ("urdf --machine orthoglide --output /dev/full", "--output /dev/full: cannot be written: No space left"),
+]
+
+
+class Refusals(CommandTest):
+    def refusal(self, *words):
+        process = run(*words)
+        self.assertEqual(process.returncode, 2, process.stderr)
+        self.assertEqual(process.stdout, "")
+        return process.stderr
+
+    def test_reason_names_option_value_and_what_is_allowed(self):
+        for line, reason in REFUSALS:
+            for words in (line.split(), [*line.split(), "--json"] if line else []):
+                with self.subTest(words):
+                    self.assertRegex(self.refusal(*words), f"(?m)^pkm: .*{reason}" if line else reason)
+
+    def test_all_problems_are_told_at_once(self):
+        reasons = self.refusal("largest", "--urdf", "/no/such/file", "--psi-min", "x", "--accuracy", -1, "--shape",
+                               "egg", "--what", 3, "--center", 1, 2)
+        for option in ("--urdf /no/such/file", "--psi-min x", "--accuracy -1", "--shape egg", "--what", "--center 1 2"):
+            self.assertIn(f"pkm: {option}: ", reasons)
+
+    def test_broken_urdf_is_named_with_its_place(self):
+        broken = self.file("broken.urdf", self.with_limits(ORTHOGLIDE, 0.2, -0.1))
+        reasons = self.refusal("evaluate", "--urdf", broken, "--point", 0, 0, 0)
+        self.assertRegex(reasons, r"--urdf \S*broken.urdf: (.*\n)*.*rail_x.*0\.2")
+
+    def test_lost_output_is_a_failure(self):
+        with open("/dev/full", "w") as full:
+            process = subprocess.run([PKM, "--help"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, "standard output cannot be written")
+
+
+if __name__ == "__main__":
+    unittest.main()
