@@ -3,8 +3,8 @@
 
 #include <chrono>
 
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/parallel.h"
-#include "pkm_workspace/region/largest_region.h"
 
 namespace pkm_workspace
 {

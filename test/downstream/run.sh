@@ -24,7 +24,11 @@ set -u
 cmake -S "$source" -B "$work/build" -DCATKIN_DEVEL_PREFIX="$work/devel" >"$work/configure.log"
 cmake --build "$work/build"
 program=$work/devel/lib/pkm_workspace_downstream/downstream
-ldd "$program" | grep -F "$prefix/lib/libpkm_workspace.so" || { echo "linked to another one:" >&2; ldd "$program"; exit 1; }
+if ! ldd "$program" | grep -F "$prefix/lib/libpkm_workspace.so"; then
+  echo "linked to another one:" >&2
+  ldd "$program"
+  exit 1
+fi
 "$program"
 
 # The installed command, as rosrun finds it, with the installed machine

@@ -7,6 +7,7 @@
 
 #include "paper/unit_ball.h"
 #include "pkm_workspace/dexterity/characteristic_polynomial.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"

@@ -67,10 +67,4 @@ LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query
 
 /// The paper's C(x, y, z): the same for one given center [m].
 LargestRegion largestRegionAt(const Machine& machine, const RegionQuery& query, const Eigen::Vector3d& center);
-
-/// A box that contains every reachable point of the machine [m] (of the criterion's set, and of its joint limits if
-/// asked).
-/// @throws std::invalid_argument where that box would be unbounded or longer than 1000 struts: rails parallel or nearly
-/// so
-Box workspaceBounds(const Machine& machine, const Criterion& criterion);
 }  // namespace pkm_workspace

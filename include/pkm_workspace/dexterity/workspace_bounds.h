@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// Encloses the largest |q| of a leg at which it can satisfy the criterion: its points lie in a cylinder around a line
+/// along the rail (paper, section 4.2; with the margin that psi_max gives) [m].
+Interval cylinderRadius(const Leg& leg, const Criterion& criterion);
+
+/// Encloses the vectors q of that length: |q_k| <= |q| sqrt(1 - e_k^2), because q is across e [m].
+IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& radius);
+
+/// A box that contains every point of the criterion's set [m]. It may be infinite (parallel rails without joint
+/// limits), or not valid (the set is empty).
+Box boundsOfSet(const Machine& machine, const Criterion& criterion);
+
+/// Whether the box is not longer than 1000 struts: beyond that nothing could be settled.
+bool isBounded(const Box& box, const Machine& machine);
+
+/// @throws std::invalid_argument that says why the set has no bounds, and the remedy
+[[noreturn]] void throwUnbounded(const char* remedy);
+
+/// boundsOfSet() where it is bounded. @throws std::invalid_argument otherwise
+Box workspaceBounds(const Machine& machine, const Criterion& criterion);
+}  // namespace pkm_workspace
