@@ -32,8 +32,7 @@ public:
 
   void declare(Options& options) override
   {
-    options.choice("machine", machine_, { "orthoglide", "orthoglide_prototype", "uranesx" },
-                   "which machine; the prototype is the one built in Nantes, L = 0.31058 m");
+    options.choice("machine", machine_, { "orthoglide", "uranesx" }, "which machine");
     options.number("length", length_, LENGTH_POSITIVE, "strut length L");
     options.number("rail-radius", rail_radius_, LENGTH_POSITIVE,
                    "uranesx: radius R of the circle of the rails, R - r below L; without it, (7/13 + lambda) L");
@@ -43,11 +42,9 @@ public:
                    "uranesx: the paper's lambda, in place of --rail-radius; without it, 0");
     options.text("output", output_, "FILE", "file to write; without it, standard output");
     options.require({ "machine" });
-    options.check({ "machine", "length", "rail-radius", "platform-radius", "lambda" }, [this](Problems& problems) {
+    options.check({ "machine", "rail-radius", "platform-radius", "lambda" }, [this](Problems& problems) {
       if (machine_ == "orthoglide" && (rail_radius_ || platform_radius_ || lambda_))
         problems.push_back("an orthoglide has only a length");
-      if (machine_ == "orthoglide_prototype" && (length_ != 1.0 || rail_radius_ || platform_radius_ || lambda_))
-        problems.push_back("the prototype has its own dimensions");
     });
     options.check({ "rail-radius", "lambda" }, [this](Problems& problems) {
       if (rail_radius_ && lambda_)
@@ -78,12 +75,7 @@ private:
   {
     try
     {
-      if (machine_ == "orthoglide")
-        made_ = orthoglide(length_);
-      else if (machine_ == "uranesx")
-        made_ = uranesx(railRadius(), platformRadius(), length_);
-      else
-        made_ = orthoglidePrototype();
+      made_ = machine_ == "orthoglide" ? orthoglide(length_) : uranesx(railRadius(), platformRadius(), length_);
     }
     catch (const std::invalid_argument& reason)
     {

@@ -75,7 +75,7 @@ REFUSALS = [
     (PAVE + "--box 1 0 0 1 0 1", "--box .*: 1 m is above 0 m; allowed: X0 <= X1"),
     (f"pave --urdf {URANESX}", "rails are parallel.*joint limits.*box"),
     ("urdf", r"--machine orthoglide\|uranesx: the option is missing"),
-    ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, orthoglide_prototype, uranesx"),
+    ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, uranesx"),
     ("urdf --machine orthoglide --length -1", "--length -1: -1 is out of range; allowed: > 0 m"),
     ("urdf --machine orthoglide --lambda 0.1", "--machine orthoglide, --lambda 0.1: an orthoglide has only a length"),
     ("urdf --machine uranesx --lambda 0.1 --rail-radius 1", "--rail-radius 1, --lambda 0.1: only one of the two"),
