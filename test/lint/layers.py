@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds the layers apart: layers.py ROOT COMPILER FLAG...
 
-Fails, naming each place, where a folder includes one that its layer does not know, where a header of the core does not
-compile on its own, or where anything below ros/ and nodes/ reaches a header of ROS.
+Fails, naming each place, where a folder includes one that its layer does not know, where anything below ros/ and nodes/
+includes ROS, or where a header of the core does not compile on its own or reaches a header of ROS.
 """
 
 import concurrent.futures
@@ -30,7 +30,10 @@ LAYERS = {
 }
 KNOW_ROS = {"ros", "nodes"}
 OWN_INCLUDE = re.compile(r'\s*#\s*include\s+"pkm_workspace/(\w+)/')
-ROS_HEADER = re.compile(r"/(ros|roscpp\w*|tf2\w*|actionlib\w*|diagnostic_\w+|interactive_markers|\w+_(msgs|srvs))/")
+INCLUDE = re.compile(r'\s*#\s*include\s+[<"](.*)[>"]')
+ROS_PACKAGES = r"/(ros|roscpp\w*|tf2\w*|actionlib\w*|diagnostic_\w+|interactive_markers|\w+_(msgs|srvs))/"
+OWN_MESSAGES = r"/pkm_workspace/[A-Z]\w*\.h$"
+ROS_HEADER = re.compile(ROS_PACKAGES + "|" + OWN_MESSAGES)
 
 
 def files_of(root, folder):
@@ -44,13 +47,15 @@ def wrong_includes(path, folder):
         own = OWN_INCLUDE.match(line)
         if own and own.group(1) != folder and own.group(1) not in LAYERS[folder]:
             yield f"{path}:{number}: {folder}/ must not include {own.group(1)}/"
+        other = INCLUDE.match(line)
+        if other and folder not in KNOW_ROS and ROS_HEADER.search("/" + other.group(1)):
+            yield f"{path}:{number}: {folder}/ must not include {other.group(1)}"
 
 
 def wrong_headers(path, root, compiler):
-    """Compiles a header (only looks through a source) and searches what it reached, itself and its package apart."""
-    mode = ["-fsyntax-only", "-MD", "-MF", "/dev/stdout"] if path.suffix == ".h" else ["-M"]
-    run = subprocess.run([*compiler, *mode, "-MT", "x", "-I", str(root / "include"), "-x", "c++", "-"],
-                         input=f'#include "{path}"\n', capture_output=True, text=True)
+    """Compiles a header and searches what it reached, itself and its package apart."""
+    options = ["-fsyntax-only", "-MD", "-MF", "/dev/stdout", "-MT", "x", "-I", str(root / "include"), "-x", "c++", "-"]
+    run = subprocess.run([*compiler, *options], input=f'#include "{path}"\n', capture_output=True, text=True)
     if run.returncode != 0:
         yield f"{path}: does not compile on its own without ROS:\n{run.stderr}"
     for header in run.stdout.replace("\\\n", " ").split():
@@ -64,13 +69,13 @@ def main():
     for folder in LAYERS:
         files = files_of(root, folder)
         problems += [problem for path in files for problem in wrong_includes(path, folder)]
-        checked += files if folder not in KNOW_ROS else []
+        checked += [path for path in files if path.suffix == ".h" and folder not in KNOW_ROS]
     if not checked:
-        sys.exit(f"{root}: no source file found")
+        sys.exit(f"{root}: no header found")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for found in pool.map(lambda path: list(wrong_headers(path, root, compiler)), checked):
             problems += found
-    print("\n".join(problems) if problems else f"{len(checked)} files keep to their layers and know no ROS")
+    print("\n".join(problems) or f"{len(checked)} headers of the core know no ROS; all folders keep to their layers")
     sys.exit(1 if problems else 0)
 
 
