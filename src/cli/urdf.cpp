@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "command.h"
@@ -17,6 +19,50 @@ namespace cli
 {
 namespace
 {
+/// What may be given of a machine; what is not given follows from the rest.
+struct Dimensions
+{
+  double length = 1.0;                    ///< L [m]
+  std::optional<double> rail_radius;      ///< R [m]
+  std::optional<double> platform_radius;  ///< r [m]
+  std::optional<double> lambda;           ///< R / L = 7/13 + lambda
+};
+
+Machine makeUranesx(const Dimensions& given)
+{
+  const Interval length(given.length);
+  const Interval by_lambda = (Interval(7.0) / Interval(13.0) + Interval(given.lambda.value_or(0.0))) * length;
+  const Interval by_length = Interval(3.0) / Interval(26.0) * length;
+  return uranesx(given.rail_radius ? Interval(*given.rail_radius) : by_lambda,
+                 given.platform_radius ? Interval(*given.platform_radius) : by_length, given.length);
+}
+
+struct NamedMachine
+{
+  const char* name;
+  Words dimensions;  ///< the options that it knows
+  Machine (*make)(const Dimensions& given);
+};
+
+const NamedMachine MACHINES[] = {
+  { "orthoglide", { "length" }, [](const Dimensions& given) { return orthoglide(given.length); } },
+  { "orthoglide_prototype", {}, [](const Dimensions&) { return orthoglidePrototype(); } },
+  { "uranesx", { "length", "rail-radius", "platform-radius", "lambda" }, makeUranesx },
+};
+
+Words machineNames()
+{
+  Words names;
+  for (const NamedMachine& machine : MACHINES)
+    names.push_back(machine.name);
+  return names;
+}
+
+const NamedMachine& find(const std::string& name)
+{
+  return *std::find_if(std::begin(MACHINES), std::end(MACHINES), [&](const NamedMachine& m) { return m.name == name; });
+}
+
 class Urdf : public Command
 {
 public:
@@ -32,24 +78,26 @@ public:
 
   void declare(Options& options) override
   {
-    options.choice("machine", machine_, { "orthoglide", "uranesx" }, "which machine");
-    options.number("length", length_, LENGTH_POSITIVE, "strut length L");
-    options.number("rail-radius", rail_radius_, LENGTH_POSITIVE,
+    options.choice("machine", machine_, machineNames(), "which machine");
+    options.number("length", given_.length, LENGTH_POSITIVE, "strut length L");
+    options.number("rail-radius", given_.rail_radius, LENGTH_POSITIVE,
                    "uranesx: radius R of the circle of the rails, R - r below L; without it, (7/13 + lambda) L");
-    options.number("platform-radius", platform_radius_, LENGTH_POSITIVE,
+    options.number("platform-radius", given_.platform_radius, LENGTH_POSITIVE,
                    "uranesx: radius r of the platform, below R; without it, 3/26 L");
-    options.number("lambda", lambda_, Quantity(),
+    options.number("lambda", given_.lambda, Quantity(),
                    "uranesx: the paper's lambda, in place of --rail-radius; without it, 0");
     options.text("output", output_, "FILE", "file to write; without it, standard output");
     options.require({ "machine" });
-    options.check({ "machine", "rail-radius", "platform-radius", "lambda" }, [this](Problems& problems) {
-      if (machine_ == "orthoglide" && (rail_radius_ || platform_radius_ || lambda_))
-        problems.push_back("an orthoglide has only a length");
-    });
     options.check({ "rail-radius", "lambda" }, [this](Problems& problems) {
-      if (rail_radius_ && lambda_)
+      if (given_.rail_radius && given_.lambda)
         problems.push_back("only one of the two can be given");
     });
+    for (const std::string& dimension : find("uranesx").dimensions)
+      options.check({ "machine", dimension }, [this, &options, dimension](Problems& problems) {
+        const Words& known = find(machine_).dimensions;
+        if (options.given(dimension) && std::find(known.begin(), known.end(), dimension) == known.end())
+          problems.push_back("this machine has no such dimension");
+      });
     options.check({ "machine", "length", "rail-radius", "platform-radius", "lambda" },
                   [this](Problems& problems) { makeMachine(problems); });
   }
@@ -75,24 +123,12 @@ private:
   {
     try
     {
-      made_ = machine_ == "orthoglide" ? orthoglide(length_) : uranesx(railRadius(), platformRadius(), length_);
+      made_ = find(machine_).make(given_);
     }
     catch (const std::invalid_argument& reason)
     {
       problems.push_back(reason.what());
     }
-  }
-
-  Interval railRadius() const
-  {
-    const Interval by_lambda = (Interval(7.0) / Interval(13.0) + Interval(lambda_.value_or(0.0))) * Interval(length_);
-    return rail_radius_ ? Interval(*rail_radius_) : by_lambda;
-  }
-
-  Interval platformRadius() const
-  {
-    const Interval by_length = Interval(3.0) / Interval(26.0) * Interval(length_);
-    return platform_radius_ ? Interval(*platform_radius_) : by_length;
   }
 
   /// @throws std::invalid_argument with the reason of the system
@@ -107,10 +143,7 @@ private:
   }
 
   std::string machine_;
-  double length_ = 1.0;
-  std::optional<double> rail_radius_;
-  std::optional<double> platform_radius_;
-  std::optional<double> lambda_;
+  Dimensions given_;
   std::string output_;
   std::optional<Machine> made_;
 };

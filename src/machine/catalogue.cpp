@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/machine/catalogue.h"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,6 +35,20 @@ Machine orthoglide(double length)
     legs[i].length = length;
   }
   return Machine("orthoglide", legs, Eigen::Vector3d::Zero());
+}
+
+Machine orthoglidePrototype()
+{
+  const double length = 0.31058;
+  // for L = 1 the largest cube reaches from -1/(3 sqrt 2) to 1/sqrt 6 in each axis: its center is half their sum
+  const double center = 0.5 * length * (1.0 / std::sqrt(6.0) - 1.0 / (3.0 * std::sqrt(2.0)));
+  const double lower = center - 0.1;  // where the strut lies along its rail
+  const double upper = center + 0.1;
+  const double last = upper + length - std::sqrt(length * length - 2.0 * upper * upper);
+  Machine::Legs legs = orthoglide(length).legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(std::floor(lower * 1e4) / 1e4, std::ceil(last * 1e4) / 1e4);
+  return Machine("orthoglide_prototype", legs, Eigen::Vector3d::Zero());
 }
 
 Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, double length)

@@ -19,22 +19,6 @@ namespace test
 {
 namespace
 {
-/// The machine built in Nantes: its joints reach what a cube of 0.2 m needs, to the next tenth of a millimetre.
-Machine prototype()
-{
-  const double length = 0.31058;
-  // The centre of the largest cube for L = 1 is (1/sqrt(6) - 1/(3 sqrt 2)) / 2 in each axis (reference values).
-  const double center = 0.5 * length * (1.0 / std::sqrt(6.0) - 1.0 / (3.0 * std::sqrt(2.0)));
-  const double near = center - 0.1;
-  const double far = center + 0.1;
-  const double lower = near;  // where the strut lies along its rail
-  const double upper = far + length - std::sqrt(length * length - 2.0 * far * far);
-  Machine::Legs legs = orthoglide(length).legs();
-  for (Leg& leg : legs)
-    leg.limits = Interval(std::floor(lower * 1e4) / 1e4, std::ceil(upper * 1e4) / 1e4);
-  return Machine("orthoglide_prototype", legs, Eigen::Vector3d::Zero());
-}
-
 std::string fileText(const std::string& name)
 {
   std::ifstream file(PKM_WORKSPACE_SOURCE_DIR "/urdf/" + name);
@@ -53,7 +37,7 @@ TEST(UrdfWriter, writesTheFilesOfThePackage)
 {
   EXPECT_TRUE(writeUrdf(orthoglide()) == fileText("orthoglide.urdf"));
   EXPECT_TRUE(writeUrdf(uranesx()) == fileText("uranesx.urdf"));
-  EXPECT_TRUE(writeUrdf(prototype()) == fileText("orthoglide_prototype.urdf"));
+  EXPECT_TRUE(writeUrdf(orthoglidePrototype()) == fileText("orthoglide_prototype.urdf"));
 }
 
 TEST(UrdfWriter, theFilesOfThePackageAreReadWithoutWarning)
@@ -68,7 +52,7 @@ TEST(UrdfWriter, theFilesOfThePackageAreReadWithoutWarning)
 
 TEST(UrdfWriter, thePrototypeHasTheTravelOfTheMachineInNantes)
 {
-  const Machine back = readBack(prototype());
+  const Machine back = readBack(orthoglidePrototype());
   for (const Leg& leg : back.legs())
     EXPECT_NEAR(leg.limits.width(), 0.257, 0.0005);
 }

@@ -10,6 +10,10 @@ namespace pkm_workspace
 /// @param length strut length L [m], positive @throws std::invalid_argument otherwise
 Machine orthoglide(double length = 1.0);
 
+/// The Orthoglide built in Nantes: L = 0.31058 m, for a cube of 0.2 m around the center of the largest one. The joint
+/// limits are what that cube needs, to the next tenth of a millimetre: about 0.257 m of travel.
+Machine orthoglidePrototype();
+
 /// The UraneSX (paper, section 3.1): rails along z at 0 and +-120 degrees on a circle of radius R, platform points on a
 /// circle of radius r; only R - r matters. Sliders above the tool: the struts point down the rails' axis, s = -1.
 /// Zero configuration: sliders in the plane z = 0, tool point on the axis below them.
