@@ -3,6 +3,8 @@
 
 // Definitions of the templates declared in machine_forms.h.
 
+#include "pkm_workspace/dexterity/machine_forms.h"
+
 namespace pkm_workspace
 {
 template <class Real>
