@@ -39,29 +39,32 @@ const NamedCommand COMMANDS[] = {
 };
 
 constexpr const char* INTRODUCTION =
-    "usage: pkm COMMAND [OPTION...]\n\n"
-    "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide,\n"
+    "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, "
     "UraneSX, linear deltas): where, and how large, is the region in which the machine is certain to behave like a "
-    "good\n"
-    "machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors lie within\n"
-    "bounds there. No ROS master is needed.\n\n"
-    "commands (pkm COMMAND --help tells more)\n";
+    "good machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors lie "
+    "within bounds there. No ROS master is needed.";
 
 constexpr const char* CONVENTIONS =
-    "\nLengths are in metres, times in seconds, points in the frame of the URDF's root link. The answer goes to "
-    "standard\n"
-    "output, with --json as one JSON object; warnings and progress go to standard error.\n"
-    "Exit code: 0 answered (also when the answer is \"none\"), 2 bad input, 1 failure of the program itself.\n"
-    "pkm --version prints the version.\n\n"
-    "  pkm urdf --machine orthoglide --output orthoglide.urdf\n"
-    "  pkm largest --urdf orthoglide.urdf --shape cube\n";
+    "Lengths are in metres, times in seconds, points in the frame of the URDF's root link. The answer goes to standard "
+    "output, with --json as one JSON object; warnings and progress go to standard error. Exit code: 0 answered (also "
+    "when the answer is \"none\"), 2 bad input, 1 failure of the program itself. pkm --version prints the version.";
+
+std::string listed(const Words& examples)
+{
+  return "\nexamples:\n  " + joined(examples, "\n  ") + "\n\n";
+}
 
 void printHelp(std::ostream& out)
 {
   std::vector<Words> rows;
   for (const NamedCommand& command : COMMANDS)
     rows.push_back({ command.name, command.summary });
-  out << INTRODUCTION << aligned(rows, Align::LEFT) << CONVENTIONS;
+  out << "usage: pkm COMMAND [OPTION...], or rosrun pkm_workspace pkm COMMAND [OPTION...]\n\n"
+      << wrapped(INTRODUCTION) << "\ncommands (pkm COMMAND --help tells more):\n"
+      << aligned(rows, Align::LEFT)
+      << listed({ "pkm urdf --machine orthoglide --output orthoglide.urdf",
+                  "pkm largest --urdf orthoglide.urdf --shape cube" })
+      << wrapped(CONVENTIONS);
 }
 
 const NamedCommand& findCommand(const std::string& name)
@@ -78,7 +81,8 @@ const NamedCommand& findCommand(const std::string& name)
 
 void printHelp(const NamedCommand& entry, const Command& command, const Options& options, std::ostream& out)
 {
-  out << "usage: pkm " << entry.name << " [OPTION...]\n\n" << command.description() << "\n";
+  out << "usage: pkm " << entry.name << " [OPTION...]\n\n"
+      << wrapped(command.description()) << listed(command.examples());
   options.describe(out);
 }
 

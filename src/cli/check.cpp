@@ -33,9 +33,13 @@ class Check : public Command
 public:
   std::string description() const override
   {
-    return "Tells whether every point of a box is dextrous: inside (proved), outside (with a point of the box that is\n"
-           "proved not to be), or undecided. There is no tolerance.\n\n"
-           "  pkm check --urdf orthoglide.urdf --center 0.08 0.08 0.08 --sides 0.6 0.6 0.6\n";
+    return "Tells whether every point of a box is dextrous: inside (proved), outside (with a point of the box "
+           "that is proved not to be), or undecided. There is no tolerance.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm check --urdf orthoglide.urdf --center 0.08 0.08 0.08 --sides 0.6 0.6 0.6" };
   }
 
   void declare(Options& options) override

@@ -23,8 +23,10 @@ class Command
 {
 public:
   virtual ~Command() = default;
-  /// What it does and what its answer means, with an example, for the help text.
+  /// What it does and what its answer means, for the help text.
   virtual std::string description() const = 0;
+  /// Command lines that work.
+  virtual Words examples() const = 0;
   virtual void declare(Options& options) = 0;
   /// What in the input is not used, for standard error. @pre the options have been parsed
   virtual Words warnings() const { return {}; }

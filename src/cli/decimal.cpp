@@ -50,7 +50,7 @@ std::string roundedUp(double value, int decimals)
 
 std::string exact(double value)
 {
-  for (int digits = 1; digits < 17; ++digits)
+  for (int digits = 15; digits < 17; ++digits)
   {
     const std::string text = significant(value, digits);
     if (std::strtod(text.c_str(), nullptr) == value)

@@ -14,7 +14,7 @@ namespace cli
 std::string roundedDown(double value, int decimals);
 /// The smallest number with @p decimals digits after the point that is not below @p value.
 std::string roundedUp(double value, int decimals);
-/// The shortest text that reads back as exactly this double.
+/// 15 to 17 digits, as many as it takes to read back as exactly this double.
 std::string exact(double value);
 /// Significant digits: for values in floating point, of which nothing is proved.
 std::string nearly(double value, int digits = 9);

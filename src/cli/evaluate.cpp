@@ -105,11 +105,12 @@ class Evaluate : public Command
 public:
   std::string description() const override
   {
-    return "Tells how the machine stands at one tool point: joint values, velocity transmission factors psi (singular\n"
-           "values of J^-1), condition number of J, nearness to singularities, and whether the point is dextrous.\n"
-           "The verdicts are proved; the other numbers are in floating point.\n\n"
-           "  pkm evaluate --urdf orthoglide.urdf --point -0.1 0 0.2\n";
+    return "Tells how the machine stands at one tool point: joint values, velocity transmission factors psi "
+           "(singular values of J^-1), condition number of J, nearness to singularities, and whether the "
+           "point is dextrous. The verdicts are proved; the other numbers are in floating point.";
   }
+
+  Words examples() const override { return { "pkm evaluate --urdf orthoglide.urdf --point -0.1 0 0.2" }; }
 
   void declare(Options& options) override
   {

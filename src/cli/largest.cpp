@@ -86,12 +86,16 @@ class Largest : public Command
 public:
   std::string description() const override
   {
-    return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which that is\n"
-           "proved, and an upper bound above which no such region exists, wherever its center. Ctrl-C ends the search\n"
-           "with the best proved so far.\n\n"
-           "  pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4\n"
-           "  pkm largest --urdf uranesx.urdf --shape square\n"
-           "  pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits on --json\n";
+    return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which "
+           "that is proved, and an upper bound above which no such region exists, wherever its center. Ctrl-C "
+           "ends the search with the best proved so far.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4",
+             "pkm largest --urdf uranesx.urdf --shape square",
+             "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits on --json" };
   }
 
   void declare(Options& options) override
@@ -154,7 +158,7 @@ private:
     if (region.size > 0.0)
     {
       rows.push_back({ "center", describe(region.center) });
-      rows.push_back({ "sides", dimensions(region.size, decimals) });
+      rows.push_back({ "dimensions", dimensions(region.size, decimals) });
       if (isSolid(shape))
         rows.push_back(
             { "volume",
@@ -183,8 +187,10 @@ private:
                               : query_.search_box ? "with its center in the search box"
                                                   : "wherever its center";
     const std::string first = "every point of the " + shape + " with this center and size is dextrous; ";
+    const bool slides = machine_.machine().hasParallelRails() && !query_.criterion.joint_limits;
     return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
-           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points dextrous.";
+           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points dextrous." +
+           (slides ? " The rails are parallel: the same holds all along them." : "");
   }
 
   MachineOptions machine_;

@@ -17,7 +17,7 @@ namespace
 namespace po = boost::program_options;
 namespace style = boost::program_options::command_line_style;
 
-constexpr unsigned LINE_LENGTH = 110;
+constexpr unsigned LINE_LENGTH = 100;
 
 std::size_t countWords(const std::string& text)
 {

@@ -27,16 +27,17 @@ class Pave : public Command
 public:
   std::string description() const override
   {
-    return "Approximates the dextrous or the reachable set by boxes: boxes inside are proved to belong to it, boxes at "
-           "the\n"
-           "border are undecided at the resolution, and all else is proved not to belong to it. The volume of the set "
-           "is\n"
-           "proved to lie between two numbers. The reachable set is told for the machine's own aspect (sign of det A) "
-           "and\n"
-           "for the other one, too, in runs of their own that share the time limit. Ctrl-C ends it with what is "
-           "proved.\n\n"
-           "  pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05\n"
-           "  pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1 --joint-limits on\n";
+    return "Approximates the dextrous or the reachable set by boxes: boxes inside are proved to belong to it, "
+           "boxes at the border are undecided at the resolution, and all else is proved not to belong to it. "
+           "The volume of the set is proved to lie between two numbers. The reachable set is told for the "
+           "machine's own aspect (sign of det A) and for the other one, too, in runs of their own that share "
+           "the time limit. Ctrl-C ends it with what is proved.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05",
+             "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1 --joint-limits on" };
   }
 
   void declare(Options& options) override

@@ -68,12 +68,15 @@ class Urdf : public Command
 public:
   std::string description() const override
   {
-    return "Writes the URDF of a machine of the catalogue, to standard output or to a file. It can be read by the "
-           "other\n"
-           "commands and by the node, and shown by rviz.\n\n"
-           "  pkm urdf --machine orthoglide --length 0.31058 --output orthoglide.urdf\n"
-           "  pkm urdf --machine uranesx --lambda 0.05\n"
-           "  pkm urdf --machine uranesx --length 0.25 --rail-radius 0.12 --platform-radius 0.03\n";
+    return "Writes the URDF of a machine of the catalogue, to standard output or to a file. It can be read by "
+           "the other commands and by the node, and shown by rviz.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm urdf --machine orthoglide --length 0.31058 --output orthoglide.urdf",
+             "pkm urdf --machine uranesx --lambda 0.05",
+             "pkm urdf --machine uranesx --length 0.25 --rail-radius 0.12 --platform-radius 0.03" };
   }
 
   void declare(Options& options) override

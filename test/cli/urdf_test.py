@@ -2,16 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm urdf: what it writes is read by the other commands as the machine that was asked for."""
 
-import pathlib
 import unittest
 
-from pkm import ORTHOGLIDE, URANESX, CommandTest
+from pkm import URDF, CommandTest
 
 
 class Urdf(CommandTest):
     def test_machines_of_the_repository_are_the_catalogue_s(self):
-        for name, urdf in (("orthoglide", ORTHOGLIDE), ("uranesx", URANESX)):
-            self.assertEqual(self.text("urdf", "--machine", name), pathlib.Path(urdf).read_text(encoding="utf-8"))
+        for name in ("orthoglide", "orthoglide_prototype", "uranesx"):
+            self.assertEqual(self.text("urdf", "--machine", name), (URDF / f"{name}.urdf").read_text(encoding="utf-8"))
 
     def test_output_file(self):
         path = self.folder / "machine.urdf"
