@@ -169,6 +169,20 @@ TEST_P(AffineVectorContainment, centeredBoxReachesEveryFace)
   });
 }
 
+TEST_P(AffineVectorContainment, coordinateHoldsThatOfEveryPoint)
+{
+  forEachCase([this](Forms& forms) {
+    CenteredBox<double> box(randomBox(forms));
+    box.slack = forms.error();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Form got = under<Form>(GetParam(), [&] { return coordinate(box, k); });
+      const Exact point = Exact(box.center[k]) + Exact(box.half_widths[k]) * forms.delta()[k] + forms.within(box.slack);
+      ASSERT_TRUE(forms.holds(got, point)) << got;
+    }
+  });
+}
+
 TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
 {
   forEachCase([this](Forms& forms) {

@@ -107,6 +107,30 @@ TEST(Orthoglide, keepsTheOtherAspectApart)
   EXPECT_TRUE(!found || (*found - zero).norm() > 0.1);
 }
 
+TEST(OrthoglidePrototype, hasJustTheTravelThatItsCubeNeeds)
+{
+  const Machine machine = orthoglidePrototype();
+  const double center = 0.31058 * 0.086273015;  // values.md
+  for (int i = 0; i < 3; ++i)
+  {
+    Interval needed = Interval::empty();
+    for (const double x : { -0.1, 0.1 })
+      for (const double y : { -center, 0.1 })  // the plane through the rail, and the face farthest from it
+        for (const double z : { -center, 0.1 })
+        {
+          Vector3d p = Vector3d::Constant(center);
+          p[i] += x;
+          p[(i + 1) % 3] += y;
+          p[(i + 2) % 3] += z;
+          needed = hull(needed, Interval((*inverseKinematics(machine, p))[i]));
+        }
+    const Interval& limits = machine.leg(i).limits;
+    EXPECT_TRUE(needed.isSubsetOf(limits)) << needed << " " << limits;
+    EXPECT_LE(limits.width() - needed.width(), 2e-4) << "a tenth of a millimetre at each end";
+    EXPECT_NEAR(needed.width(), 0.257, 5e-4) << "values.md";
+  }
+}
+
 TEST(OrthoglideSingularities, strutAcrossItsRailIsSerial)
 {
   const Machine machine = orthoglide(5.0);

@@ -137,7 +137,7 @@ const std::vector<ExactMachine>& exactMachines()
 {
   static const std::vector<ExactMachine> MACHINES = {
     exactOrthoglide("Orthoglide", 1.0, orthoglide()),
-    exactOrthoglide("OrthoglidePrototype", 0.31058, orthoglide(0.31058)),
+    exactOrthoglide("OrthoglidePrototype", 0.31058, orthoglidePrototype()),
     exactOrthoglide("OrthoglideOfAKilometre", 1000.0, orthoglide(1000.0)),
     otherAspect(),
     exactUranesx("UraneSX"),
