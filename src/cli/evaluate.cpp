@@ -3,8 +3,8 @@
 
 #include "command.h"
 #include "common_options.h"
-#include "decimal.h"
 #include "output.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "violations.h"
 
 namespace pkm_workspace

@@ -3,11 +3,10 @@
 
 #include "command.h"
 #include "common_options.h"
-#include "decimal.h"
 #include "output.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "progress.h"
-#include "shapes.h"
 
 namespace pkm_workspace
 {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
 {

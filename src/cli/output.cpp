@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/version.h"
 
 namespace pkm_workspace

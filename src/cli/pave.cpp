@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.h"
 #include "common_options.h"
-#include "decimal.h"
 #include "output.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/paving.h"
 #include "progress.h"
 

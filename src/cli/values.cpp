@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
 {

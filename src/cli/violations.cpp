@@ -3,7 +3,7 @@
 
 #include <Eigen/LU>
 
-#include "decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
 {

@@ -51,9 +51,9 @@ void validateBox(const char* name, const Box& box, Problems& problems)
 void Budget::validate(Problems& problems) const
 {
   if (!(time_limit >= 0.0) || !std::isfinite(time_limit))
-    complain(problems, "time limit", time_limit, "s must be positive and finite, or 0 for none");
+    complain(problems, "time_limit", time_limit, "s must be positive and finite, or 0 for none");
   if (max_boxes < 0)
-    complain(problems, "box budget", static_cast<double>(max_boxes), "must be positive, or 0 for none");
+    complain(problems, "max_boxes", static_cast<double>(max_boxes), "must be positive, or 0 for none");
   if (threads < 1 || threads > 1024)
     complain(problems, "threads", threads, "must be from 1 to 1024");
 }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "pkm_workspace/dexterity/eigen_witness.h"
-
 namespace pkm_workspace
 {
 namespace
@@ -38,33 +36,13 @@ bool CenterTest::add(const AffineForm<double>& form)
   return false;
 }
 
-bool CenterTest::addWitnessForms(const CenteredBox<double>& points)
+bool CenterTest::addNecessary(const NecessaryForms& necessary)
 {
-  const MachineModel<double>& model = test_.model();
-  const MachineForms<double> forms = model.evaluate(points);
-  const double scale = model.squaredScale();
-  for (std::size_t i = 0; i < 3; ++i)
-    if (forms.radicand[i].upper() < model.floor(i))
-      return true;
-  const bool dextrous = model.criterion().set == Criterion::Set::DEXTROUS;
-  if (dextrous)
-    for (const bool upper : { true, false })
-    {
-      matrices_.push_back(exactly(1.0 / scale) * (upper ? model.upperMatrix(forms) : model.lowerMatrix(forms)));
-      if (add(quadraticForm(matrices_.back(), leastEigenvector(matrices_.back()).vector)))
-        return true;
-    }
-  else
-    for (std::size_t i = 0; i < 3; ++i)
-      if (add(exactly(1.0 / scale) * forms.radicand[i]))
-        return true;
-  if (model.oriented() && add(exactly(1.0 / (scale * std::sqrt(scale))) * model.orientation(forms)))
+  if (necessary.violated)
     return true;
-  for (std::size_t leg = 0; leg < 3; ++leg)
-    for (int side = 0; side < 2; ++side)
-      if (model.limited(leg, side) &&
-          add(exactly(1.0 / std::sqrt(scale)) * model.limitMargin(leg, side, forms, points)))
-        return true;
+  for (std::size_t k = 0; k < necessary.forms; ++k)
+    if (add(necessary.form[k]))
+      return true;
   return false;
 }
 
@@ -84,25 +62,25 @@ bool CenterTest::addCuts()
   const auto& point = programme_.point();
   const std::array<double, 3> delta = { point[0], point[1], point[2] };
   bool added = false;
-  for (const auto& matrix : matrices_)
-  {
-    const Eigenpair pair = leastEigenvector(matrix, delta);
-    if (pair.value > room_ - WORTH_A_CUT)
-      continue;
-    const AffineForm<double> form = quadraticForm(matrix, pair.vector);
-    const double value = form.center + form.radius + form.gradient[0] * delta[0] + form.gradient[1] * delta[1] +
-                         form.gradient[2] * delta[2];
-    if (value > room_ - WORTH_A_CUT * std::abs(room_))
-      continue;
-    add(form);
-    added = true;
-  }
+  for (const NecessaryForms& necessary : necessary_)
+    for (std::size_t m = 0; m < necessary.matrices; ++m)
+    {
+      const auto pair = leastEigenvector(necessary.matrix[m], delta);
+      if (pair.value > room_ - WORTH_A_CUT)
+        continue;
+      const AffineForm<double> form = quadraticForm(necessary.matrix[m], pair.vector);
+      const double value = form.center + form.radius + form.gradient[0] * delta[0] + form.gradient[1] * delta[1] +
+                           form.gradient[2] * delta[2];
+      if (value > room_ - WORTH_A_CUT * std::abs(room_))
+        continue;
+      add(form);
+      added = true;
+    }
   return added;
 }
 
 bool CenterTest::excludes(const Box& centers, double size)
 {
-  matrices_.clear();
   forms_.clear();
   programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
   room_ = ROOM;
@@ -114,8 +92,11 @@ bool CenterTest::excludes(const Box& centers, double size)
     if (avoidance && add(per_length * *avoidance))
       return true;
   }
-  for (const Eigen::Vector3d& k : witnesses_.ofShape())
-    if (addWitnessForms(box.moved(size, k)))
+  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  necessary_.resize(places.size());
+  test_.kernel().necessaryForms(box, size, places.data(), places.size(), necessary_.data());
+  for (const NecessaryForms& necessary : necessary_)
+    if (addNecessary(necessary))
       return true;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {

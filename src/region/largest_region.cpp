@@ -15,7 +15,7 @@ void RegionQuery::validate(Problems& problems) const
   validatePositive("accuracy", accuracy, "(in the unit of the size, m for edges)", problems);
   budget.validate(problems);
   if (search_box)
-    validateBox("search box", *search_box, problems);
+    validateBox("search_box", *search_box, problems);
 }
 
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)

@@ -79,8 +79,7 @@ void LocalSearch::linearize(const Candidate& from, double trust, const Eigen::Ve
     return;
   for (const auto& matrix : { model.upperMatrix(forms), model.lowerMatrix(forms) })
   {
-    for (const Eigenpair& pair : eigenpairs(matrix))
-      addRow(quadraticForm(matrix, pair.vector), squared, trust, witness);
+    addRow(quadraticForm(matrix, leastEigenvector(matrix).vector), squared, trust, witness);
     matrices_.push_back(matrix);
     matrix_witnesses_.push_back(witness);
   }
@@ -97,7 +96,7 @@ bool LocalSearch::addCuts(double trust)
     std::array<double, 3> delta;
     for (std::size_t j = 0; j < 3; ++j)
       delta[j] = trust * (x[j] + x[3] * matrix_witnesses_[m][static_cast<int>(j)] / reach_) / (DIFFERENCE * scale_);
-    const Eigenpair pair = leastEigenvector(matrices_[m], delta);
+    const auto pair = leastEigenvector(matrices_[m], delta);
     if (pair.value * scale_ / squared > -1e-3 * trust)
       continue;
     addRow(quadraticForm(matrices_[m], pair.vector), squared, trust, matrix_witnesses_[m]);

@@ -178,7 +178,7 @@ void PaperQuery::validate(Problems& problems) const
   refuseUnless(start_size >= 0.0 && std::isfinite(start_size), "start size", start_size,
                "m must be 0 or positive, and finite", problems);
   validatePositive("list size", static_cast<double>(list_size), "boxes", problems);
-  validatePositive("box budget", static_cast<double>(max_boxes), "boxes", problems);
+  validatePositive("max_boxes", static_cast<double>(max_boxes), "boxes", problems);
 }
 
 PaperResult findLargestByPaper(const BoxClassifier& classify, const PaperQuery& query)

@@ -32,13 +32,13 @@ Eigen::Vector3d proportionsOf(const Shape& shape)
   return 2.0 * shape.halfExtents();
 }
 
-ShapePtr shapeFrom(const RegionRequest& request, const Shape& fallback)
+ShapePtr shapeFrom(const RegionRequest& request, const ShapePtr& fallback)
 {
-  const std::string name = request.shape.empty() ? fallback.name() : request.shape;
+  const std::string name = request.shape.empty() ? fallback->name() : request.shape;
   const Eigen::Vector3d wanted(request.proportions.x, request.proportions.y, request.proportions.z);
   if (wanted != Eigen::Vector3d::Zero())
-    return shapeOf(name, wanted);
-  return name == fallback.name() ? shapeOf(name, proportionsOf(fallback)) : shapeOf(name, std::nullopt);
+    return makeShape(name, wanted);
+  return name == fallback->name() ? fallback : makeShape(name);
 }
 
 void readSwitches(const RegionRequest& request, RegionQuery& query, Problems& problems)
@@ -118,29 +118,13 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
 }
 }  // namespace
 
-ShapePtr shapeOf(const std::string& name, const std::optional<Eigen::Vector3d>& proportions)
-{
-  if (name == Region::BOX)
-    return makeBox(proportions.value_or(Eigen::Vector3d::Ones()));
-  const auto shape = name == Region::CUBE ? makeCube() : name == Region::SQUARE ? makeSquare() : nullptr;
-  if (!shape)
-    throw std::invalid_argument("shape = '" + name + "' must be cube, square or box");
-  if (proportions && *proportions != proportionsOf(*shape))
-  {
-    std::ostringstream text;
-    text << "proportions = " << proportions->format(POINT_TEXT) << " are for the shape box only, the shape is " << name;
-    throw std::invalid_argument(text.str());
-  }
-  return shape;
-}
-
 RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults)
 {
   RegionQuery query = defaults;
   Problems problems;
   try
   {
-    query.shape = shapeFrom(request, *defaults.shape);
+    query.shape = shapeFrom(request, defaults.shape);
   }
   catch (const std::invalid_argument& error)
   {

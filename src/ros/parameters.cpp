@@ -152,7 +152,7 @@ void chooseShape(const ShapeNames& names, RegionQuery& query, Problems& problems
 {
   try
   {
-    query.shape = shapeOf(names.shape, names.proportions);
+    query.shape = makeShape(names.shape, names.proportions);
   }
   catch (const std::invalid_argument& error)
   {

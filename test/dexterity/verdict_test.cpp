@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/dexterity/region_check.h"
 
 #include <gtest/gtest.h>
 
@@ -144,13 +144,14 @@ TEST(BoxTest, diagonalOfTheOrthoglideEndsWhereItIsKnownTo)
 TEST(BoxTest, verifiesABoxByItsParts)
 {
   const BoxTest test(orthoglide(), Criterion());
-  const auto cube = [](double center, double edge) {
-    return Box{ Eigen::Vector3d::Constant(center - edge / 2), Eigen::Vector3d::Constant(center + edge / 2) };
+  const auto share = [&test](double center, double edge, double part_width) {
+    const Box cube{ Eigen::Vector3d::Constant(center - edge / 2), Eigen::Vector3d::Constant(center + edge / 2) };
+    return verifyBox(test, cube, part_width, 1000000);
   };
-  EXPECT_EQ(test.verify(cube(0.086273015, 0.6439), 1e-6), BoxVerdict::INSIDE);
-  EXPECT_EQ(test.verify(cube(0.086273015, 0.644), 1e-6), BoxVerdict::UNDECIDED) << "good and bad points";
-  EXPECT_EQ(test.verify(cube(0.6, 0.2), 1e-6), BoxVerdict::OUTSIDE);
-  EXPECT_EQ(test.verify(cube(0.086273015, 0.6439), 0.5), BoxVerdict::UNDECIDED) << "too coarse";
+  EXPECT_EQ(share(0.086273015, 0.6439, 1e-6), Share::ALL);
+  EXPECT_EQ(share(0.086273015, 0.644, 1e-6), Share::SOME);
+  EXPECT_EQ(share(0.6, 0.2, 1e-6), Share::NONE);
+  EXPECT_EQ(share(0.086273015, 0.6439, 0.5), Share::UNDECIDED) << "too coarse";
 }
 
 TEST(BoxTest, marginHasTheSignOfTheCriterion)

@@ -115,8 +115,11 @@ TEST_P(AffineVectorContainment, mapOfABoxHoldsThatOfEveryPoint)
     const Box box = randomBox(forms);
     auto centered = under<CenteredBox<double>>(GetParam(), [&] { return CenteredBox<double>(box); });
     centered.slack = forms.random().once(2) ? forms.error() : 0.0;
-    const Vector image = under<Vector>(
-        GetParam(), [&] { return mapBox(EnclosedMatrix<double>(m), EnclosedVector<double>(c), centered); });
+    const Vector image = under<Vector>(GetParam(), [&] {
+      Vector result;
+      mapBox(EnclosedMatrix<double>(m), EnclosedVector<double>(c), centered, result);
+      return result;
+    });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
     {
       ExactVector offset = endsOf(c, forms);
@@ -137,7 +140,11 @@ TEST_P(AffineVectorContainment, addingAFormAlongAVectorKeepsItsErrorThere)
     v.along = 0.0;
     const Form f = forms.form();
     const IntervalVector a = constants(forms);
-    const Vector sum = under<Vector>(GetParam(), [&] { return addAlong(v, f, EnclosedVector<double>(a)); });
+    const Vector sum = under<Vector>(GetParam(), [&] {
+      Vector result = v;
+      addAlong(result, f, EnclosedVector<double>(a));
+      return result;
+    });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
     {
       const ExactVector x = forms.member(v);

@@ -221,7 +221,7 @@ TEST(PaperSearch, refusesEverythingThatIsOutOfRangeAtOnce)
   const auto search = [&query] { findLargestByPaper(CharacteristicTest(orthoglide(), Criterion()), query); };
   for (const char* text : { "accuracy = 0 m must be positive", "start = 5 m must lie in the box of centers",
                             "start size = -1 m must be 0 or positive", "list size = 0 boxes must be positive",
-                            "box budget = -3 boxes must be positive" })
+                            "max_boxes = -3 boxes must be positive" })
     test::expectThrow<std::invalid_argument>(search, text);
   query.centers.lower.x() = 7.0;
   test::expectThrow<std::invalid_argument>(search, "box of centers x = .*lower end first");

@@ -96,8 +96,8 @@ TEST(RegionQuery, refusesEverythingThatIsOutOfRangeAtOnce)
   query.search_box = Box{ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, std::numeric_limits<double>::infinity() } };
   const auto find = [&query] { findLargestRegion(orthoglide(), query); };
   for (const char* pattern :
-       { "shape is missing", "accuracy = 0 .*must be positive", "psi_min = -1", "time limit = -1 s", "box budget = -5",
-         "threads = 0 must be from 1 to 1024", "search box x = \\[1, 0\\] m", "search box z = \\[0, inf\\] m" })
+       { "shape is missing", "accuracy = 0 .*must be positive", "psi_min = -1", "time_limit = -1 s", "max_boxes = -5",
+         "threads = 0 must be from 1 to 1024", "search_box x = \\[1, 0\\] m", "search_box z = \\[0, inf\\] m" })
     test::expectThrow<std::invalid_argument>(find, pattern);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/eigen_witness.h"
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/definiteness.h"
 #include "pkm_workspace/machine/machine.h"
@@ -22,6 +23,15 @@ struct MachineForms
   std::array<AffineForm<Real>, 3> gram;      ///< d_2 . d_3, d_1 . d_3, d_1 . d_2 [m^2]
 };
 
+/// The same at one point, in floating point.
+template <class Real>
+struct MachineNumbers
+{
+  std::array<Real, 3> radicand;              ///< [m^2]
+  std::array<Real, 3> eta;                   ///< [m]; 0 where the radicand is negative
+  std::array<std::array<Real, 3>, 3> strut;  ///< [m]
+};
+
 /// A machine and a criterion, prepared for the evaluation of boxes. Real is double or a multi-precision type.
 /// Thread-safe: constant after construction.
 template <class Real>
@@ -31,6 +41,10 @@ public:
   /// @throws std::invalid_argument when the criterion is not valid
   MachineModel(const Machine& machine, const Criterion& criterion);
 
+  /// The same for another type of number.
+  template <class Other>
+  explicit MachineModel(const MachineModel<Other>& model);
+
   const Criterion& criterion() const { return criterion_; }
   /// Whether the criterion asks for one sign of det A.
   bool oriented() const { return criterion_.aspect != Criterion::Aspect::BOTH; }
@@ -39,10 +53,12 @@ public:
 
   /// Forms over the box.
   MachineForms<Real> evaluate(const CenteredBox<Real>& box) const;
+  /// Numbers at the point p [m]: for finding points, not for proving anything.
+  MachineNumbers<Real> evaluate(const std::array<Real, 3>& p) const;
   /// Only L_i^2 - |q_i|^2 for leg i [m^2].
   AffineForm<Real> radicand(std::size_t leg, const AffineVector<Real>& across) const;
   /// Where the radicand is below this [m^2] the criterion does not hold: L_i^2 / psi_max^2, rounded down, or 0.
-  Real floor(std::size_t leg) const { return legs_[leg].floor; }
+  const Real& floor(std::size_t leg) const { return legs_[leg].floor; }
 
   /// S_min = A A^T - psi_min^2 B^2 [m^2].
   SymmetricForms<Real> lowerMatrix(const MachineForms<Real>& forms) const;
@@ -51,9 +67,11 @@ public:
   /// det A [m^3] times the sign that the criterion's aspect asks for: positive where the aspect is right.
   AffineForm<Real> orientation(const MachineForms<Real>& forms) const;
   /// The same at delta = 0 only.
-  AffineForm<Real> orientationAtCenter(const MachineForms<Real>& forms) const;
+  Enclosed<Real> orientationAtCenter(const MachineForms<Real>& forms) const;
   /// rho_i [m] over the box.
   AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const CenteredBox<Real>& box) const;
+  /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
+  Real margin(const std::array<Real, 3>& p) const;
   /// Whether leg i has a finite lower (side = 0) or upper (side = 1) limit that the criterion asks for.
   bool limited(std::size_t leg, int side) const { return legs_[leg].limited[static_cast<std::size_t>(side)]; }
   /// rho_i - lower (side = 0) or upper - rho_i (side = 1) [m].
@@ -61,6 +79,12 @@ public:
                                const CenteredBox<Real>& box) const;
 
 private:
+  Real limitMargin(std::size_t leg, const MachineNumbers<Real>& at, const std::array<Real, 3>& p) const;
+  Real factorMargin(const MachineNumbers<Real>& at) const;
+
+  template <class>
+  friend class MachineModel;
+
   struct LegModel
   {
     EnclosedMatrix<Real> projector;

@@ -39,9 +39,35 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
 }
 
 template <class Real>
+template <class Other>
+MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
+  : criterion_(model.criterion_)
+  , psi_max_squared_(model.psi_max_squared_)
+  , minus_psi_min_squared_(model.minus_psi_min_squared_)
+  , aspect_sign_(model.aspect_sign_)
+  , squared_scale_(model.squared_scale_)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const auto& from = model.legs_[i];
+    LegModel& to = legs_[i];
+    to.projector = EnclosedMatrix<Real>(from.projector);
+    to.along = EnclosedMatrix<Real>(from.along);
+    to.center = EnclosedVector<Real>(from.center);
+    to.axis = EnclosedVector<Real>(from.axis);
+    to.squared_length = Enclosed<Real>(from.squared_length);
+    to.minus_squared_length = Enclosed<Real>(from.minus_squared_length);
+    to.sign = Enclosed<Real>(from.sign);
+    to.floor = Real(from.floor);
+    to.limited = from.limited;
+    to.limit = { Enclosed<Real>(from.limit[0]), Enclosed<Real>(from.limit[1]) };
+  }
+}
+
+template <class Real>
 AffineForm<Real> MachineModel<Real>::radicand(std::size_t leg, const AffineVector<Real>& across) const
 {
-  return -dot(across, across) + legs_[leg].squared_length;
+  return -squaredNorm(across) + legs_[leg].squared_length;
 }
 
 template <class Real>
@@ -51,15 +77,95 @@ MachineForms<Real> MachineModel<Real>::evaluate(const CenteredBox<Real>& box) co
   for (std::size_t i = 0; i < 3; ++i)
   {
     const LegModel& leg = legs_[i];
-    const AffineVector<Real> across = mapBox(leg.projector, leg.center, box);
-    forms.radicand[i] = radicand(i, across);
+    AffineVector<Real>& strut = forms.strut[i];
+    mapBox(leg.projector, leg.center, box, strut);
+    forms.radicand[i] = radicand(i, strut);
     forms.eta[i] = leg.sign * sqrtAbove(forms.radicand[i], leg.floor);
-    forms.strut[i] = addAlong(across, forms.eta[i], leg.axis);
+    addAlong(strut, forms.eta[i], leg.axis);
   }
   forms.gram[0] = dot(forms.strut[1], forms.strut[2]);
   forms.gram[1] = dot(forms.strut[0], forms.strut[2]);
   forms.gram[2] = dot(forms.strut[0], forms.strut[1]);
   return forms;
+}
+
+template <class Real>
+MachineNumbers<Real> MachineModel<Real>::evaluate(const std::array<Real, 3>& p) const
+{
+  using std::max;
+  using std::sqrt;
+  MachineNumbers<Real> numbers;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const LegModel& leg = legs_[i];
+    const std::array<Real, 3> x = { p[0] - leg.center.value[0], p[1] - leg.center.value[1],
+                                    p[2] - leg.center.value[2] };
+    std::array<Real, 3>& d = numbers.strut[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      d[k] = leg.projector.value[k][0] * x[0] + leg.projector.value[k][1] * x[1] + leg.projector.value[k][2] * x[2];
+    numbers.radicand[i] = leg.squared_length.value - eigen::dot(d, d);
+    numbers.eta[i] = leg.sign.value * sqrt(max(numbers.radicand[i], Real(0)));
+    for (std::size_t k = 0; k < 3; ++k)
+      d[k] = d[k] + numbers.eta[i] * leg.axis.value[k];
+  }
+  return numbers;
+}
+
+template <class Real>
+Real MachineModel<Real>::margin(const std::array<Real, 3>& p) const
+{
+  using std::min;
+  using std::sqrt;
+  const MachineNumbers<Real> at = evaluate(p);
+  const Real per_square = Real(1) / squared_scale_;
+  const Real per_length = sqrt(per_square);
+  Real reach = at.radicand[0] - legs_[0].floor;
+  for (std::size_t i = 1; i < 3; ++i)
+    reach = min(reach, at.radicand[i] - legs_[i].floor);
+  reach = reach * per_square;
+  Real least = reach;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (legs_[i].limited[0] || legs_[i].limited[1])
+      least = min(least, limitMargin(i, at, p) * per_length);
+  if (oriented())
+    least = min(least, aspect_sign_.value * eigen::dot(at.strut[0], eigen::cross(at.strut[1], at.strut[2])) *
+                           (per_square * per_length));
+  if (criterion_.set == Criterion::Set::DEXTROUS)
+    least = min(least, factorMargin(at) * per_square);
+  return select(reach < Real(0), reach, least);  // beyond reach nothing else has a meaning
+}
+
+/// The distance of rho_i to the nearer of its limits [m].
+template <class Real>
+Real MachineModel<Real>::limitMargin(std::size_t leg, const MachineNumbers<Real>& at,
+                                     const std::array<Real, 3>& p) const
+{
+  using std::min;
+  const LegModel& model = legs_[leg];
+  const auto& c = model.center.value;
+  const Real rho = eigen::dot(model.along.value[0], { p[0] - c[0], p[1] - c[1], p[2] - c[2] }) - at.eta[leg];
+  const Real above = rho + model.limit[0].value;
+  const Real below = model.limit[1].value - rho;
+  return !model.limited[1] ? above : !model.limited[0] ? below : min(above, below);
+}
+
+/// The least eigenvalue of S_min and S_max [m^2].
+template <class Real>
+Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
+{
+  using std::min;
+  const auto& d = at.strut;
+  const std::array<Real, 3> gram = { eigen::dot(d[1], d[2]), eigen::dot(d[0], d[2]), eigen::dot(d[0], d[1]) };
+  eigen::Symmetric<Real> upper;
+  eigen::Symmetric<Real> lower;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    upper[i] = psi_max_squared_.value * at.radicand[i] - legs_[i].squared_length.value;
+    lower[i] = minus_psi_min_squared_.value * at.radicand[i] + legs_[i].squared_length.value;
+    upper[3 + i] = -gram[i];
+    lower[3 + i] = gram[i];
+  }
+  return min(eigen::leastEigenpair(upper).value, eigen::leastEigenpair(lower).value);
 }
 
 template <class Real>
@@ -93,9 +199,9 @@ AffineForm<Real> MachineModel<Real>::orientation(const MachineForms<Real>& forms
 }
 
 template <class Real>
-AffineForm<Real> MachineModel<Real>::orientationAtCenter(const MachineForms<Real>& forms) const
+Enclosed<Real> MachineModel<Real>::orientationAtCenter(const MachineForms<Real>& forms) const
 {
-  return aspect_sign_ * determinant(atCenter(forms.strut[0]), atCenter(forms.strut[1]), atCenter(forms.strut[2]));
+  return aspect_sign_ * determinantAtCenter(forms.strut[0], forms.strut[1], forms.strut[2]);
 }
 
 template <class Real>
@@ -103,7 +209,9 @@ AffineForm<Real> MachineModel<Real>::joint(std::size_t leg, const MachineForms<R
                                            const CenteredBox<Real>& box) const
 {
   const LegModel& model = legs_[leg];
-  return component(mapBox(model.along, model.center, box), 0) - forms.eta[leg];
+  AffineVector<Real> along;
+  mapBox(model.along, model.center, box, along);
+  return component(along, 0) - forms.eta[leg];
 }
 
 template <class Real>

@@ -63,8 +63,40 @@ struct Enclosed
   Real radius = Real(0);
 
   Enclosed() = default;
+  Enclosed(const Real& v, const Real& r) : value(v), radius(r) {}
   explicit Enclosed(const Interval& x) : value(x.mid()), radius(x.radius()) {}
+  template <class Other>
+  explicit Enclosed(const Enclosed<Other>& x) : value(x.value), radius(x.radius)
+  {}
+
+  Real magnitude() const
+  {
+    using std::abs;
+    return abs(value) + radius;
+  }
+  Real lower() const { return value - affine::widened(radius, magnitude(), 4); }
+  Real upper() const { return value + affine::widened(radius, magnitude(), 4); }
 };
+
+template <class Real>
+inline Enclosed<Real> operator-(const Enclosed<Real>& a)
+{
+  return { -a.value, a.radius };
+}
+
+template <class Real>
+inline Enclosed<Real> operator+(const Enclosed<Real>& a, const Enclosed<Real>& b)
+{
+  return { a.value + b.value, affine::widened(a.radius + b.radius, a.magnitude() + b.magnitude(), 4) };
+}
+
+template <class Real>
+inline Enclosed<Real> operator*(const Enclosed<Real>& a, const Enclosed<Real>& b)
+{
+  using std::abs;
+  return { a.value * b.value,
+           affine::widened(abs(a.value) * b.radius + a.radius * b.magnitude(), a.magnitude() * b.magnitude(), 4) };
+}
 
 template <class Real>
 inline AffineForm<Real> operator-(const AffineForm<Real>& a)

@@ -1,91 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <array>
 
-#include "pkm_workspace/interval/affine_form.h"
-#include "pkm_workspace/interval/box.h"
+#include "pkm_workspace/interval/centered_box.h"
+#include "pkm_workspace/interval/enclosed_constants.h"
 
 namespace pkm_workspace
 {
-/// A box as center + half_widths * delta + [-slack, slack]^3 with delta in [-1, 1]^3, rounded outward.
-template <class Real>
-struct CenteredBox
-{
-  std::array<Real, 3> center;
-  std::array<Real, 3> half_widths;
-  Real slack = Real(0);
-
-  CenteredBox() = default;
-  explicit CenteredBox(const Box& box)
-  {
-    const Eigen::Vector3d middle = box.center();
-    for (int j = 0; j < 3; ++j)
-    {
-      center[static_cast<std::size_t>(j)] = middle[j];
-      // each difference is rounded once; the factor covers that in every mode
-      const double half = std::max(box.upper[j] - middle[j], middle[j] - box.lower[j]);
-      half_widths[static_cast<std::size_t>(j)] = half * (1.0 + 4.0 * rounding::roundoff<double>());
-    }
-  }
-
-  /// The box moved by size * offset; delta keeps its meaning, so that forms over both can be combined.
-  CenteredBox moved(double size, const Eigen::Vector3d& offset) const
-  {
-    using std::abs;
-    CenteredBox result(*this);
-    Real magnitude = slack;
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      const Real step = Real(size) * Real(offset[static_cast<int>(j)]);
-      result.center[j] = center[j] + step;
-      magnitude = magnitude + abs(center[j]) + abs(step);
-    }
-    result.slack = (slack + Real(4) * rounding::roundoff<Real>() * magnitude + rounding::underflow<Real>()) *
-                   (Real(1) + Real(8) * rounding::roundoff<Real>());
-    return result;
-  }
-};
-
-/// A constant vector or matrix in doubles with one bound on the error of every entry.
-template <class Real>
-struct EnclosedVector
-{
-  std::array<Real, 3> value;
-  Real radius = Real(0);
-
-  EnclosedVector() = default;
-  explicit EnclosedVector(const IntervalVector& v)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      value[k] = v[k].mid();
-      radius = std::max(radius, Real(v[k].radius()));
-    }
-  }
-};
-
-template <class Real>
-struct EnclosedMatrix
-{
-  std::array<std::array<Real, 3>, 3> value;
-  Real radius = Real(0);
-  Real magnitude = Real(0);  ///< a bound on every entry
-
-  EnclosedMatrix() = default;
-  explicit EnclosedMatrix(const IntervalMatrix& m)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        value[i][k] = m[i][k].mid();
-        radius = std::max(radius, Real(m[i][k].radius()));
-        magnitude = std::max(magnitude, Real(m[i][k].magnitude()));
-      }
-  }
-};
-
 /// A vector-valued affine form: component k lies within center_k + linear_k . delta + [-along, along] axis_k +
 /// [-radius, radius], with one and the same member of [-along, along] for all components.
 template <class Real>
@@ -107,15 +29,6 @@ struct AffineVector
     return sum;
   }
 };
-
-/// The member of a vector at delta = 0, errors kept.
-template <class Real>
-inline AffineVector<Real> atCenter(AffineVector<Real> v)
-{
-  for (auto& row : v.linear)
-    row = { Real(0), Real(0), Real(0) };
-  return v;
-}
 
 namespace affine
 {
@@ -151,24 +64,12 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
 }
 }  // namespace affine
 
-/// Encloses one coordinate of the points of the box.
+/// Encloses M (p - c) for p in the box, in place: copies of packs of vectors cost as much as their arithmetic.
 template <class Real>
-inline AffineForm<Real> coordinate(const CenteredBox<Real>& box, std::size_t axis)
-{
-  AffineForm<Real> form;
-  form.center = box.center[axis];
-  form.gradient[axis] = box.half_widths[axis];
-  form.radius = box.slack;
-  return form;
-}
-
-/// Encloses M (p - c) for p in the box.
-template <class Real>
-inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c,
-                                 const CenteredBox<Real>& box)
+inline void mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const CenteredBox<Real>& box,
+                   AffineVector<Real>& image)
 {
   const std::array<Real, 3> x = { box.center[0] - c.value[0], box.center[1] - c.value[1], box.center[2] - c.value[2] };
-  AffineVector<Real> image;
   for (std::size_t k = 0; k < 3; ++k)
   {
     image.center[k] = m.value[k][0] * x[0] + m.value[k][1] * x[1] + m.value[k][2] * x[2];
@@ -178,7 +79,8 @@ inline AffineVector<Real> mapBox(const EnclosedMatrix<Real>& m, const EnclosedVe
   const Real size = affine::sumOfMagnitudes(x) + affine::sumOfMagnitudes(box.half_widths);
   const Real shift = Real(3) * (m.magnitude + m.radius) * (c.radius + box.slack);
   image.radius = affine::widened(m.radius * size + shift, m.magnitude * size, 16);
-  return image;
+  image.along = Real(0);
+  image.axis = { Real(0), Real(0), Real(0) };
 }
 
 /// Encloses u . v. The products of two deltas are summed over the components before they are bounded.
@@ -213,10 +115,36 @@ inline AffineForm<Real> dot(const AffineVector<Real>& u, const AffineVector<Real
   return result;
 }
 
-/// Encloses v + f a for a form f and a constant vector a; the radius of f goes along a.
+/// Encloses v . v, more cheaply than dot(v, v).
+/// @pre v has no error along an axis
+template <class Real>
+inline AffineForm<Real> squaredNorm(const AffineVector<Real>& v)
+{
+  using std::abs;
+  AffineForm<Real> result;
+  const auto product = [&v](std::size_t j, std::size_t l) {
+    return v.linear[0][j] * v.linear[0][l] + v.linear[1][j] * v.linear[1][l] + v.linear[2][j] * v.linear[2][l];
+  };
+  const Real squares = product(0, 0) + product(1, 1) + product(2, 2);
+  const Real half = Real(0.5) * squares;
+  const Real mixed = abs(product(0, 1)) + abs(product(0, 2)) + abs(product(1, 2));
+  result.center = v.center[0] * v.center[0] + v.center[1] * v.center[1] + v.center[2] * v.center[2] + half;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Real slope = v.center[0] * v.linear[0][j] + v.center[1] * v.linear[1][j] + v.center[2] * v.linear[2][j];
+    result.gradient[j] = slope + slope;
+  }
+  const Real size = v.magnitude();
+  const Real blown_up = size * (Real(1) + Real(32) * rounding::roundoff<Real>());
+  const Real error = v.radius * (Real(2) * blown_up + Real(3) * v.radius);
+  result.radius = affine::widened(half + Real(2) * mixed + error, size * size, 32);
+  return result;
+}
+
+/// Adds f a for a form f and a constant vector a; the radius of f goes along a.
 /// @pre v has no error along an axis yet
 template <class Real>
-inline AffineVector<Real> addAlong(AffineVector<Real> v, const AffineForm<Real>& f, const EnclosedVector<Real>& a)
+inline void addAlong(AffineVector<Real>& v, const AffineForm<Real>& f, const EnclosedVector<Real>& a)
 {
   Real size = Real(0);
   for (std::size_t k = 0; k < 3; ++k)
@@ -234,7 +162,6 @@ inline AffineVector<Real> addAlong(AffineVector<Real> v, const AffineForm<Real>&
   v.radius = affine::widened(v.radius + a.radius * magnitude, size + magnitude * affine::sumOfMagnitudes(a.value), 8);
   v.along = f.radius;
   v.axis = a.value;
-  return v;
 }
 
 /// One component as a scalar form.
@@ -249,14 +176,43 @@ inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
   return form;
 }
 
+/// The same at delta = 0 only.
+template <class Real>
+inline Enclosed<Real> componentAtCenter(const AffineVector<Real>& v, std::size_t k)
+{
+  return { v.center[k], component(v, k).radius };
+}
+
+namespace affine
+{
+/// The determinant of the matrix of which row(i)[k] is an entry.
+template <class Entry>
+inline Entry determinant(const std::array<Entry, 3>& u, const std::array<Entry, 3>& v, const std::array<Entry, 3>& w)
+{
+  const auto minor = [&](std::size_t i, std::size_t j) { return v[i] * w[j] + -(v[j] * w[i]); };
+  return u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1);
+}
+}  // namespace affine
+
 /// Encloses det [u; v; w].
 template <class Real>
 inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVector<Real>& v,
                                     const AffineVector<Real>& w)
 {
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return component(v, i) * component(w, j) - component(v, j) * component(w, i);
+  const auto row = [](const AffineVector<Real>& r) {
+    return std::array<AffineForm<Real>, 3>{ component(r, 0), component(r, 1), component(r, 2) };
   };
-  return component(u, 0) * minor(1, 2) + component(u, 1) * minor(2, 0) + component(u, 2) * minor(0, 1);
+  return affine::determinant(row(u), row(v), row(w));
+}
+
+/// Encloses det [u; v; w] at delta = 0.
+template <class Real>
+inline Enclosed<Real> determinantAtCenter(const AffineVector<Real>& u, const AffineVector<Real>& v,
+                                          const AffineVector<Real>& w)
+{
+  const auto row = [](const AffineVector<Real>& r) {
+    return std::array<Enclosed<Real>, 3>{ componentAtCenter(r, 0), componentAtCenter(r, 1), componentAtCenter(r, 2) };
+  };
+  return affine::determinant(row(u), row(v), row(w));
 }
 }  // namespace pkm_workspace

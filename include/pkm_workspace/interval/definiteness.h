@@ -27,9 +27,9 @@ SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)
 /// diagonal (Gershgorin). At a corner the factorisation L D L^T in floating point is the exact one of a matrix that
 /// differs by less than a few roundoffs times the trace (Higham 2002, section 10.1; Rump 2006), which is taken off the
 /// diagonal too: positive pivots are a proof, without the loss of digits that minors suffer at multiple eigenvalues.
-/// @return false when it is not, or cannot be proved
+/// @return false (for a Pack: in each lane) when it is not, or cannot be proved
 template <class Real>
-bool isPositiveDefinite(const SymmetricForms<Real>& m)
+auto isPositiveDefinite(const SymmetricForms<Real>& m)
 {
   const Real trace = m[0].magnitude() + m[1].magnitude() + m[2].magnitude();
   std::array<Real, 6> radius;
@@ -41,17 +41,22 @@ bool isPositiveDefinite(const SymmetricForms<Real>& m)
   for (std::size_t k = 0; k < 6; ++k)
   {
     const Real center = k < 3 ? m[k].center - affine::widened(row_sum[k], trace, 32) : m[k].center;
-    for (std::size_t c = 0; c < 8; ++c)
-      corner[k][c] = center + ((c & 1) ? m[k].gradient[0] : -m[k].gradient[0]) +
-                     ((c & 2) ? m[k].gradient[1] : -m[k].gradient[1]) +
-                     ((c & 4) ? m[k].gradient[2] : -m[k].gradient[2]);
+    for (std::size_t x = 0; x < 2; ++x)
+      for (std::size_t y = 0; y < 2; ++y)
+      {
+        const Real along_x = x ? center + m[k].gradient[0] : center - m[k].gradient[0];
+        const Real along_xy = y ? along_x + m[k].gradient[1] : along_x - m[k].gradient[1];
+        corner[k][4 * x + 2 * y] = along_xy - m[k].gradient[2];
+        corner[k][4 * x + 2 * y + 1] = along_xy + m[k].gradient[2];
+      }
   }
-  bool definite = true;
+  auto definite = Real(1) > Real(0);
   for (std::size_t c = 0; c < 8; ++c)
   {
     const Real first = corner[0][c];
-    const Real l10 = corner[5][c] / first;
-    const Real l20 = corner[4][c] / first;
+    const Real inverse = Real(1) / first;
+    const Real l10 = corner[5][c] * inverse;
+    const Real l20 = corner[4][c] * inverse;
     const Real second = corner[1][c] - l10 * corner[5][c];
     const Real rest = corner[3][c] - l20 * corner[5][c];
     const Real third = corner[2][c] - l20 * corner[4][c] - rest * (rest / second);

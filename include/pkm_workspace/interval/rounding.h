@@ -40,11 +40,18 @@ constexpr bool SOUND = false;  // the canary build: the tests must notice
 constexpr bool SOUND = true;
 #endif
 
+/// The type whose arithmetic that of Real is made of.
+template <class Real>
+struct ScalarOf
+{
+  using Type = Real;
+};
+
 /// @return a bound on |fl(x op y) - (x op y)| / |fl(x op y)| in any rounding mode, for the arithmetic of Real.
 template <class Real>
 inline Real roundoff()
 {
-  return SOUND ? std::numeric_limits<Real>::epsilon() : Real(0);
+  return Real(SOUND ? std::numeric_limits<typename ScalarOf<Real>::Type>::epsilon() : 0);
 }
 
 /// @return a bound on the sum of all underflow errors of one affine operation; far below any length in use [m].

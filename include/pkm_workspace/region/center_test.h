@@ -36,7 +36,7 @@ public:
   double margin(const Eigen::Vector3d& center, double size, double enough) const;
 
 private:
-  bool addWitnessForms(const CenteredBox<double>& points);
+  bool addNecessary(const NecessaryForms& necessary);
   bool add(const AffineForm<double>& form);
   bool combinationExcludes();
   bool addCuts();
@@ -44,7 +44,7 @@ private:
   const BoxTest& test_;
   const Shape& shape_;
   const WitnessPoints& witnesses_;
-  std::vector<SymmetricForms<double>> matrices_;
+  std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
   double room_ = 0.0;

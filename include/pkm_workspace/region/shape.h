@@ -58,4 +58,10 @@ ShapePtr makeSquare();
 /// A box with full sides size * proportions [m]. @param proportions >= 0, at least one of them > 0, finite
 /// @throws std::invalid_argument otherwise
 ShapePtr makeBox(const Eigen::Vector3d& proportions);
+
+/// The names of all shapes.
+std::vector<std::string> shapeNames();
+/// The shape of that name. @param proportions what the shape measures along the axes; a box needs them
+/// @throws std::invalid_argument for an unknown name, for proportions that are missing or of another shape
+ShapePtr makeShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions = std::nullopt);
 }  // namespace pkm_workspace

@@ -18,12 +18,6 @@ namespace pkm_workspace
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
 
-/// The shape that goes by a name of Region.msg.
-/// @param proportions of a box; nothing: (1, 1, 1)
-/// @throws std::invalid_argument, beginning with the name of the field: another name, proportions for another shape or
-/// bad ones
-ShapePtr shapeOf(const std::string& name, const std::optional<Eigen::Vector3d>& proportions);
-
 /// @param defaults what fields without a value stand for; its time limit is the most that a request may ask for
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
 RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults);

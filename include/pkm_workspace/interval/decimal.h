@@ -5,8 +5,6 @@
 
 namespace pkm_workspace
 {
-namespace cli
-{
 /// Decimal texts of doubles whose error is zero or has a known sign, so that a proved bound stays one when it is
 /// printed.
 
@@ -24,5 +22,4 @@ std::string bracket(double lower, double upper);
 /// Digits after the point that tell the two ends of a bracket apart; nine significant ones where it has no width, none
 /// for 0.
 int decimalsFor(double lower, double upper);
-}  // namespace cli
 }  // namespace pkm_workspace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 
 #include <mpfr.h>
 
@@ -10,8 +10,6 @@
 #include <cstdlib>
 
 namespace pkm_workspace
-{
-namespace cli
 {
 namespace
 {
@@ -80,5 +78,4 @@ int decimalsFor(double lower, double upper)
     return 0;
   return static_cast<int>(std::max(0.0, std::min(std::ceil(-std::log10(unit)), 17.0)));
 }
-}  // namespace cli
 }  // namespace pkm_workspace

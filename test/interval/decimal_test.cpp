@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/decimal.h"
+#include "pkm_workspace/interval/decimal.h"
 
 #include <gtest/gtest.h>
 #include <mpfr.h>
@@ -9,8 +9,6 @@
 #include "support/random.h"
 
 namespace pkm_workspace
-{
-namespace cli
 {
 namespace
 {
@@ -74,5 +72,4 @@ TEST(Decimal, bracketKeepsItsEndsApart)
   EXPECT_EQ("0 to 12", bracket(0.0, 12.0));
 }
 }  // namespace
-}  // namespace cli
 }  // namespace pkm_workspace

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "pkm_workspace/dexterity/machine_forms.h"
+
+namespace pkm_workspace
+{
+/// Box verification, the paper's M(B) (section 2.2): about all points of a box. Not the answer of a containment test.
+enum class BoxVerdict : unsigned char
+{
+  INSIDE,     ///< every point is proved to satisfy the criterion
+  OUTSIDE,    ///< no point does, proved
+  UNDECIDED,  ///< neither is proved
+};
+
+/// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
+struct NecessaryForms
+{
+  static constexpr std::size_t MOST = 10;  ///< 3 for the factors or the reach, 1 for the aspect, 6 for the joint limits
+
+  bool violated = false;                         ///< no point of the box can satisfy the criterion, proved
+  std::size_t matrices = 0;                      ///< 2 for the transmission factors, otherwise 0
+  std::size_t forms = 0;                         ///< how many of the forms are in use
+  std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, without unit
+  std::array<AffineForm<double>, MOST> form;     ///< without unit; the first ones are v^T S v for the matrices
+};
+
+/// The arithmetic of the verdicts, for several boxes at a time: as many as the processor works on side by side. What it
+/// computes for one box does not depend on the others, nor on how many there are at a time.
+class BoxKernel
+{
+public:
+  virtual ~BoxKernel();
+
+  /// Boxes that are worked on side by side.
+  virtual std::size_t width() const = 0;
+  /// One look at each box as a whole, without subdivision.
+  virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts) const = 0;
+  /// The necessary forms at the centers' box, moved by size * offset for each offset.
+  virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
+                              std::size_t count, NecessaryForms* results) const = 0;
+  /// MachineModel::margin at center + size * offset for each offset.
+  virtual void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
+                       double* results) const = 0;
+};
+
+/// The kernels that this processor can run, the fastest first.
+std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& model);
+}  // namespace pkm_workspace

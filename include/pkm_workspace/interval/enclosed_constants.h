@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "pkm_workspace/interval/affine_form.h"
+#include "pkm_workspace/interval/interval_vector.h"
+
+namespace pkm_workspace
+{
+/// A constant vector or matrix in doubles with one bound on the error of every entry.
+template <class Real>
+struct EnclosedVector
+{
+  std::array<Real, 3> value;
+  Real radius = Real(0);
+
+  EnclosedVector() = default;
+  template <class Other>
+  explicit EnclosedVector(const EnclosedVector<Other>& v)
+    : value{ Real(v.value[0]), Real(v.value[1]), Real(v.value[2]) }, radius(v.radius)
+  {}
+  explicit EnclosedVector(const IntervalVector& v)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      value[k] = v[k].mid();
+      radius = std::max(radius, Real(v[k].radius()));
+    }
+  }
+};
+
+template <class Real>
+struct EnclosedMatrix
+{
+  std::array<std::array<Real, 3>, 3> value;
+  Real radius = Real(0);
+  Real magnitude = Real(0);  ///< a bound on every entry
+
+  EnclosedMatrix() = default;
+  template <class Other>
+  explicit EnclosedMatrix(const EnclosedMatrix<Other>& m) : radius(m.radius), magnitude(m.magnitude)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        value[i][k] = Real(m.value[i][k]);
+  }
+  explicit EnclosedMatrix(const IntervalMatrix& m)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        value[i][k] = m[i][k].mid();
+        radius = std::max(radius, Real(m[i][k].radius()));
+        magnitude = std::max(magnitude, Real(m[i][k].magnitude()));
+      }
+  }
+};
+}  // namespace pkm_workspace

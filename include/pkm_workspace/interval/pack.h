@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "pkm_workspace/interval/rounding.h"
+
+namespace pkm_workspace
+{
+/// The vector types of the compiler.
+template <int W>
+struct LanesOf;
+template <>
+struct LanesOf<2>
+{
+  typedef double Numbers __attribute__((vector_size(16)));
+  typedef std::int64_t Masks __attribute__((vector_size(16)));
+};
+template <>
+struct LanesOf<4>
+{
+  typedef double Numbers __attribute__((vector_size(32)));
+  typedef std::int64_t Masks __attribute__((vector_size(32)));
+};
+
+/// One truth value a lane: all bits set, or none.
+template <int W>
+struct LaneMask
+{
+  using Lanes = typename LanesOf<W>::Masks;
+  Lanes lanes;
+
+  bool operator[](int lane) const { return lanes[lane] != 0; }
+  friend LaneMask operator&(LaneMask a, LaneMask b) { return { a.lanes & b.lanes }; }
+  friend LaneMask operator|(LaneMask a, LaneMask b) { return { a.lanes | b.lanes }; }
+  friend LaneMask operator!(LaneMask a) { return { ~a.lanes }; }
+};
+
+/// W doubles that are worked on side by side: a number type for the templates of this folder, each lane bit for bit
+/// what double gives. W = 2 is for every x86-64 processor; a wider pack belongs only into a source file that is
+/// compiled for it and chosen at run time (see dexterity/box_kernel.h).
+template <int W>
+struct Pack
+{
+  using Lanes = typename LanesOf<W>::Numbers;
+  Lanes lanes;
+
+  Pack() = default;
+  explicit Pack(double value) : lanes(Lanes{} + value) {}
+  explicit Pack(Lanes values) : lanes(values) {}
+
+  /// The lanes from an array of W numbers.
+  static Pack load(const double* values)
+  {
+    Pack result;
+    __builtin_memcpy(&result.lanes, values, sizeof(result.lanes));
+    return result;
+  }
+
+  double operator[](int lane) const { return lanes[lane]; }
+
+  friend Pack operator-(Pack a) { return Pack(-a.lanes); }
+  friend Pack operator+(Pack a, Pack b) { return Pack(a.lanes + b.lanes); }
+  friend Pack operator-(Pack a, Pack b) { return Pack(a.lanes - b.lanes); }
+  friend Pack operator*(Pack a, Pack b) { return Pack(a.lanes * b.lanes); }
+  friend Pack operator/(Pack a, Pack b) { return Pack(a.lanes / b.lanes); }
+  friend LaneMask<W> operator<(Pack a, Pack b) { return { a.lanes < b.lanes }; }
+  friend LaneMask<W> operator>(Pack a, Pack b) { return { a.lanes > b.lanes }; }
+  friend LaneMask<W> operator>=(Pack a, Pack b) { return { a.lanes >= b.lanes }; }
+};
+
+/// a where the mask is set, b elsewhere.
+template <int W>
+inline Pack<W> select(LaneMask<W> mask, Pack<W> a, Pack<W> b)
+{
+  return Pack<W>(mask.lanes ? a.lanes : b.lanes);
+}
+template <class Real>
+inline Real select(bool condition, const Real& a, const Real& b)
+{
+  return condition ? a : b;
+}
+
+template <int W>
+inline Pack<W> max(Pack<W> a, Pack<W> b)
+{
+  return select(a < b, b, a);
+}
+template <int W>
+inline Pack<W> min(Pack<W> a, Pack<W> b)
+{
+  return select(b < a, b, a);
+}
+template <int W>
+inline Pack<W> abs(Pack<W> a)
+{
+  return select(a < Pack<W>(0.0), -a, a);
+}
+template <int W>
+inline Pack<W> sqrt(Pack<W> a)
+{
+#if defined(__AVX__)
+  if constexpr (W == 4)
+    return Pack<W>(_mm256_sqrt_pd(a.lanes));
+#endif
+#if defined(__SSE2__)
+  if constexpr (W == 2)
+    return Pack<W>(_mm_sqrt_pd(a.lanes));
+#endif
+  for (int lane = 0; lane < W; ++lane)
+    a.lanes[lane] = std::sqrt(a.lanes[lane]);
+  return a;
+}
+
+template <int W>
+inline bool any(LaneMask<W> mask)
+{
+  bool result = false;
+  for (int lane = 0; lane < W; ++lane)
+    result |= mask[lane];
+  return result;
+}
+inline bool any(bool condition)
+{
+  return condition;
+}
+
+namespace rounding
+{
+template <int W>
+struct ScalarOf<Pack<W>>
+{
+  using Type = double;
+};
+}  // namespace rounding
+}  // namespace pkm_workspace
