@@ -14,13 +14,6 @@ namespace
 {
 constexpr unsigned SEED = 20260601;
 
-/// The space that random boxes come from: a little more than the reachable points.
-Box spaceOf(const Machine& machine)
-{
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(1.2 * machine.scale());
-  return { machine.zero() - reach, machine.zero() + reach };
-}
-
 std::vector<Criterion> everyCriterion()
 {
   std::vector<Criterion> criteria(5);
@@ -33,15 +26,6 @@ std::vector<Criterion> everyCriterion()
   return criteria;
 }
 
-/// Adds joint limits that cut through the workspace.
-Machine limited(const Machine& machine)
-{
-  Machine::Legs legs = machine.legs();
-  for (Leg& leg : legs)
-    leg.limits = Interval(-0.2 * machine.scale(), 0.15 * machine.scale());
-  return Machine(machine.name() + " with limits", legs, machine.zero());
-}
-
 /// Tries one machine and criterion: no verdict on a random box is contradicted by a point of the box.
 /// @return how many boxes were INSIDE and OUTSIDE
 std::pair<int, int> expectVerdictsHold(const Machine& machine, const Criterion& criterion, unsigned seed)
@@ -52,7 +36,7 @@ std::pair<int, int> expectVerdictsHold(const Machine& machine, const Criterion& 
   std::pair<int, int> counts(0, 0);
   for (int k = 0; k < test::cases(300); ++k)
   {
-    const Box box = random.boxIn(spaceOf(machine), machine.scale());
+    const Box box = random.boxIn(test::spaceOf(machine), machine.scale());
     const BoxVerdict verdict = test.classify(box);
     counts.first += verdict == BoxVerdict::INSIDE;
     counts.second += verdict == BoxVerdict::OUTSIDE;
@@ -85,7 +69,7 @@ TEST(BoxTest, verdictsHoldAtEveryPointOfTheBox)
 
 TEST(BoxTest, verdictsHoldWithJointLimits)
 {
-  for (const Machine& machine : { limited(orthoglide()), limited(test::crooked(4)) })
+  for (const Machine& machine : { test::limited(orthoglide()), test::limited(test::crooked(4)) })
     for (Criterion criterion : everyCriterion())
     {
       criterion.joint_limits = true;
@@ -102,7 +86,7 @@ TEST(BoxTest, pointsAreDecided)
   test::RandomBoxes random(SEED);
   for (int k = 0; k < test::cases(2000); ++k)
   {
-    const Eigen::Vector3d point = random.pointIn(spaceOf(machine));
+    const Eigen::Vector3d point = random.pointIn(test::spaceOf(machine));
     EXPECT_EQ(test.classify(point), oracle.isGood(point) ? BoxVerdict::INSIDE : BoxVerdict::OUTSIDE)
         << "seed " << SEED << ", point " << point.transpose();
   }
@@ -115,7 +99,7 @@ TEST(BoxTest, partsOfADecidedBoxKeepItsVerdict)
   test::RandomBoxes random(SEED);
   for (int k = 0; k < test::cases(3000); ++k)
   {
-    const Box box = random.boxIn(spaceOf(machine), 1.0);
+    const Box box = random.boxIn(test::spaceOf(machine), 1.0);
     const BoxVerdict verdict = test.classify(box);
     if (verdict == BoxVerdict::UNDECIDED)
       continue;
@@ -163,7 +147,7 @@ TEST(BoxTest, marginHasTheSignOfTheCriterion)
     test::RandomBoxes random(SEED);
     for (int k = 0; k < test::cases(300); ++k)
     {
-      const Eigen::Vector3d point = random.pointIn(spaceOf(machine));
+      const Eigen::Vector3d point = random.pointIn(test::spaceOf(machine));
       const double margin = test.margin(point);
       EXPECT_TRUE(std::abs(margin) < 1e-9 || (margin > 0.0) == oracle.isGood(point))
           << machine.name() << ", seed " << SEED << ", point " << point.transpose() << ", margin " << margin;

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/forms.h"
-#include "support/mode_and_spread.h"
+#include "support/form_laws.h"
 
 namespace pkm_workspace
 {
@@ -12,23 +11,8 @@ namespace test
 {
 namespace
 {
-constexpr int MEMBERS = 4;
-
-class AffineFormContainment : public testing::TestWithParam<RoundingMode>
+class AffineFormContainment : public FormLaws
 {
-protected:
-  /// Hands each random case to @p check until one fails.
-  template <class Check>
-  void forEachCase(const Check& check)
-  {
-    for (int seed = 0; seed < cases(400) && !HasFailure(); ++seed)
-    {
-      SCOPED_TRACE("seed " + std::to_string(seed));
-      Forms forms(static_cast<std::uint64_t>(seed));
-      check(forms);
-    }
-  }
-  Form evaluate(const std::function<Form()>& operation) const { return under<Form>(GetParam(), operation); }
 };
 
 TEST_P(AffineFormContainment, sumsAndProductsHoldThoseOfAllMembers)
@@ -36,10 +20,10 @@ TEST_P(AffineFormContainment, sumsAndProductsHoldThoseOfAllMembers)
   forEachCase([this](Forms& forms) {
     const Form a = forms.form();
     const Form b = forms.form(&a);
-    const Form sum = evaluate([&] { return a + b; });
-    const Form difference = evaluate([&] { return a - b; });
-    const Form product = evaluate([&] { return a * b; });
-    const Form square = evaluate([&] { return a * a; });
+    const Form sum = evaluate<Form>([&] { return a + b; });
+    const Form difference = evaluate<Form>([&] { return a - b; });
+    const Form product = evaluate<Form>([&] { return a * b; });
+    const Form square = evaluate<Form>([&] { return a * a; });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
     {
       const Exact x = forms.member(a);
@@ -58,8 +42,8 @@ TEST_P(AffineFormContainment, constantsAreEnclosedWithTheirErrors)
     const Form a = forms.form();
     const double bound = forms.number();
     const Interval s = hull(Interval(bound), Interval(forms.random().once(2) ? bound + forms.error() : bound));
-    const Form sum = evaluate([&] { return a + Enclosed<double>(s); });
-    const Form product = evaluate([&] { return Enclosed<double>(s) * a; });
+    const Form sum = evaluate<Form>([&] { return a + Enclosed<double>(s); });
+    const Form product = evaluate<Form>([&] { return Enclosed<double>(s) * a; });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
     {
       const Exact x = forms.member(a);
@@ -74,7 +58,7 @@ TEST_P(AffineFormContainment, boundsHoldTheValuesOfAllMembers)
 {
   forEachCase([this](Forms& forms) {
     const Form a = forms.form();
-    const auto bounds = under<rounding::Bounds>(GetParam(), [&] { return rounding::Bounds{ a.lower(), a.upper() }; });
+    const auto bounds = evaluate<rounding::Bounds>([&] { return rounding::Bounds{ a.lower(), a.upper() }; });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
       ASSERT_TRUE(forms.member(a).mayLieIn(bounds.lower, bounds.upper)) << a;
   });
@@ -87,7 +71,7 @@ TEST_P(AffineFormContainment, squareRootHoldsThoseOfAllMembersAboveTheFloor)
     if (forms.random().once(2))
       a.center = a.swing() + a.radius;  // touches 0
     const double floor = forms.random().once(2) ? 0.0 : std::abs(forms.number(forms.random().integer(0, 20)));
-    const Form root = evaluate([&] { return sqrtAbove(a, floor); });
+    const Form root = evaluate<Form>([&] { return sqrtAbove(a, floor); });
     for (int i = 0; i < MEMBERS; ++i, forms.move())
     {
       const Exact x = forms.member(a);

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <ostream>
+#include <sstream>
+#include <string>
 
 #include "pkm_workspace/interval/affine_vector.h"
 #include "support/exact_vector.h"
@@ -16,10 +18,23 @@ inline std::ostream& operator<<(std::ostream& stream, const AffineForm<double>& 
                 << f.gradient[2] << ") . delta +- " << f.radius;
 }
 
+inline std::ostream& operator<<(std::ostream& stream, const Enclosed<double>& x)
+{
+  return stream << std::hexfloat << x.value << " +- " << x.radius;
+}
+
 namespace test
 {
 using Form = AffineForm<double>;
 using Vector = AffineVector<double>;
+
+inline std::string toText(const Vector& v)
+{
+  std::ostringstream text;
+  for (std::size_t k = 0; k < 3; ++k)
+    text << Form{ v.center[k], v.linear[k], v.radius } << " along " << v.along << " * " << v.axis[k] << "\n";
+  return text.str();
+}
 
 /// Draws affine forms and members of them: functions are looked at in one point delta of the cube.
 class Forms

@@ -55,5 +55,21 @@ inline std::vector<Machine> everyKind()
            crooked(1),   crooked(2, 1000.0), crooked(3, 1.0, Eigen::Vector3d(1000.0, -20.0, 3.0)),
            cone() };
 }
+
+/// Adds joint limits that cut through the workspace.
+inline Machine limited(const Machine& machine)
+{
+  Machine::Legs legs = machine.legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-0.2 * machine.scale(), 0.15 * machine.scale());
+  return Machine(machine.name() + " with limits", legs, machine.zero());
+}
+
+/// The space that random boxes come from: a little more than the reachable points.
+inline Box spaceOf(const Machine& machine)
+{
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(1.2 * machine.scale());
+  return { machine.zero() - reach, machine.zero() + reach };
+}
 }  // namespace test
 }  // namespace pkm_workspace
