@@ -103,9 +103,9 @@ private:
     json["resolution"] = query_.resolution;
     json["box"] = cli::toJson(paving.box);
     json["boxes"] = paving.boxes;
-    json["boxes_inside"] = paving.inside.size();
-    json["boxes_boundary"] = paving.boundary.size();
-    json["boxes_pending"] = paving.pending.size();
+    json["boxes_inside"] = paving.tree.count(CellState::INSIDE);
+    json["boxes_boundary"] = paving.tree.count(CellState::BOUNDARY);
+    json["boxes_pending"] = paving.tree.count(CellState::PENDING);
     json["seconds"] = paving.seconds;
     json["complete"] = paving.complete;
     return json;
@@ -119,9 +119,10 @@ private:
       rows.push_back({ "own aspect", volumes(json["own_aspect"]) });
       rows.push_back({ "other aspect", volumes(json["other_aspect"]) });
     }
-    rows.push_back({ "inside", std::to_string(paving.inside.size()) + " boxes" });
-    rows.push_back({ "boundary", std::to_string(paving.boundary.size()) + " boxes, undecided at the resolution" });
-    rows.push_back({ "pending", std::to_string(paving.pending.size()) + " boxes, not looked at" });
+    rows.push_back({ "inside", std::to_string(paving.tree.count(CellState::INSIDE)) + " boxes" });
+    rows.push_back(
+        { "boundary", std::to_string(paving.tree.count(CellState::BOUNDARY)) + " boxes, undecided at the resolution" });
+    rows.push_back({ "pending", std::to_string(paving.tree.count(CellState::PENDING)) + " boxes, not looked at" });
     rows.push_back({ "box", "from " + describe(paving.box.lower) + " to " + describe(paving.box.upper) });
     rows.push_back({ "resolution", exact(query_.resolution) + " m" });
     rows.push_back({ "effort", std::to_string(paving.boxes) + " boxes, " + seconds(json["seconds"]) });

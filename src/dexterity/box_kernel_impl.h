@@ -27,7 +27,7 @@ public:
 
   std::size_t width() const override { return W; }
 
-  void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts) const override
+  void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst) const override
   {
     for (std::size_t first = 0; first < count; first += W)
     {
@@ -39,11 +39,17 @@ public:
           lower[k][lane] = box.lower.data()[k];
           upper[k][lane] = box.upper.data()[k];
         }
-      const Verdicts found = look(CenteredBox<Real>(pointOf(lower), pointOf(upper)));
-      for (std::size_t lane = 0; lane < W && first + lane < count; ++lane)
-        verdicts[first + lane] = found.outside[static_cast<int>(lane)]  ? BoxVerdict::OUTSIDE
-                                 : found.inside[static_cast<int>(lane)] ? BoxVerdict::INSIDE
-                                                                        : BoxVerdict::UNDECIDED;
+      AffineForm<Real> form;
+      const Verdicts found = look(CenteredBox<Real>(pointOf(lower), pointOf(upper)), form);
+      for (int lane = 0; lane < W && first + static_cast<std::size_t>(lane) < count; ++lane)
+      {
+        const std::size_t k = first + static_cast<std::size_t>(lane);
+        verdicts[k] = found.outside[lane]  ? BoxVerdict::OUTSIDE
+                      : found.inside[lane] ? BoxVerdict::INSIDE
+                                           : BoxVerdict::UNDECIDED;
+        if (worst)
+          worst[k] = laneOf(form, lane);
+      }
     }
   }
 
@@ -93,8 +99,8 @@ private:
 
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
-  /// The verdicts on W boxes (design, section 3, items 1 and 2).
-  Verdicts look(const CenteredBox<Real>& box) const
+  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the form v^T S v that is lowest.
+  Verdicts look(const CenteredBox<Real>& box, AffineForm<Real>& worst) const
   {
     const MachineForms<Real> forms = model_.evaluate(box);
     Verdicts verdicts{ everywhere(), !everywhere() };
@@ -110,7 +116,7 @@ private:
     if (!any(!verdicts.outside))
       return verdicts;
     if (model_.criterion().set == Criterion::Set::DEXTROUS)
-      lookAtFactors(forms, verdicts);
+      lookAtFactors(forms, verdicts, worst);
     else if (model_.oriented())
       require(model_.orientation(forms), verdicts);
     return verdicts;
@@ -122,16 +128,18 @@ private:
     verdicts.inside = verdicts.inside & (form.lower() > Real(0.0));
   }
 
-  void lookAtFactors(const MachineForms<Real>& forms, Verdicts& verdicts) const
+  void lookAtFactors(const MachineForms<Real>& forms, Verdicts& verdicts, AffineForm<Real>& worst) const
   {
     for (const bool upper : { true, false })
     {
       const SymmetricForms<Real> matrix = upper ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
       const Mask definite = isPositiveDefinite(matrix);
       verdicts.inside = verdicts.inside & definite;
-      if (any(!(definite | verdicts.outside)))
-        verdicts.outside =
-            verdicts.outside | (quadraticForm(matrix, leastEigenvector(matrix).vector).upper() < Real(0.0));
+      if (!any(!(definite | verdicts.outside)))
+        continue;
+      const AffineForm<Real> form = quadraticForm(matrix, leastEigenvector(matrix).vector);
+      verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
+      worst = select((!definite) & (form.lower() < worst.lower()), form, worst);
     }
     if (!model_.oriented() || !any(!verdicts.outside))
       return;
@@ -141,7 +149,7 @@ private:
     verdicts.outside = verdicts.outside | (verdicts.inside & wrong);
     verdicts.inside = verdicts.inside & (center.lower() > Real(0.0));
     if (any(wrong & !verdicts.outside))
-      verdicts.outside = verdicts.outside | (model_.orientation(forms).upper() < Real(0.0));
+      verdicts.outside = verdicts.outside | (wrong & (model_.orientation(forms).upper() < Real(0.0)));
   }
 
   void collect(const CenteredBox<Real>& box, NecessaryForms* results, std::size_t count) const
@@ -161,20 +169,41 @@ private:
       for (std::size_t entry = 0; entry < 6; ++entry)
         for (std::size_t lane = 0; lane < W && lane < count; ++lane)
           results[lane].matrix[m][entry] = laneOf(matrix[entry], static_cast<int>(lane));
-      append(quadraticForm(matrix, leastEigenvector(matrix).vector), results, count);
+      append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
     }
     for (std::size_t i = 0; i < 3 && !dextrous; ++i)
-      append(per_square * forms.radicand[i], results, count);
+      append(per_square * forms.radicand[i], everywhere(), results, count);
     if (model_.oriented())
-      append(per_square * (per_length * model_.orientation(forms)), results, count);
+      appendOrientation(forms, per_square, per_length, results, count);
     for (std::size_t leg = 0; leg < 3; ++leg)
       for (int side = 0; side < 2; ++side)
         if (model_.limited(leg, side))
-          append(per_length * model_.limitMargin(leg, side, forms, box), results, count);
+          append(per_length * model_.limitMargin(leg, side, forms, box), everywhere(), results, count);
+  }
+
+  /// Where S_min is definite the sign of det A at one point is the one everywhere: its form helps only where it is
+  /// wrong.
+  void appendOrientation(const MachineForms<Real>& forms, const Enclosed<Real>& per_square,
+                         const Enclosed<Real>& per_length, NecessaryForms* results, std::size_t count) const
+  {
+    Mask useful = everywhere();
+    if (model_.criterion().set == Criterion::Set::DEXTROUS)
+      useful = model_.orientationAtCenter(forms).lower() < Real(0.0);
+    if (any(useful))
+      append(per_square * (per_length * model_.orientation(forms)), useful, results, count);
   }
 
   /// A positive factor: forms may be scaled by any, so that its own error does not matter.
   static Enclosed<Real> inexactly(const Real& factor) { return { factor, Real(0.0) }; }
+
+  static AffineForm<Real> select(Mask mask, const AffineForm<Real>& a, const AffineForm<Real>& b)
+  {
+    using pkm_workspace::select;
+    return { select(mask, a.center, b.center),
+             { select(mask, a.gradient[0], b.gradient[0]), select(mask, a.gradient[1], b.gradient[1]),
+               select(mask, a.gradient[2], b.gradient[2]) },
+             select(mask, a.radius, b.radius) };
+  }
 
   static AffineForm<double> laneOf(const AffineForm<Real>& form, int lane)
   {
@@ -193,10 +222,11 @@ private:
     }
   }
 
-  static void append(const AffineForm<Real>& form, NecessaryForms* results, std::size_t count)
+  static void append(const AffineForm<Real>& form, Mask useful, NecessaryForms* results, std::size_t count)
   {
     for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-      results[lane].form[results[lane].forms++] = laneOf(form, static_cast<int>(lane));
+      if (useful[static_cast<int>(lane)])
+        results[lane].form[results[lane].forms++] = laneOf(form, static_cast<int>(lane));
   }
 
   MachineModel<Real> model_;

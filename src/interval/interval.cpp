@@ -129,22 +129,32 @@ Interval operator-(const Interval& x, const Interval& y)
   return x + (-y);
 }
 
+namespace
+{
+/// x y for y >= 0.
+Interval timesNotNegative(const Interval& x, const Interval& y)
+{
+  const double for_lower = x.lower() >= 0.0 ? y.lower() : y.upper();
+  const double for_upper = x.upper() >= 0.0 ? y.upper() : y.lower();
+  return Interval(rounding::multiply(x.lower(), for_lower).lower, rounding::multiply(x.upper(), for_upper).upper);
+}
+
+/// x y where both have members of either sign.
+Interval timesBoth(const Interval& x, const Interval& y)
+{
+  return Interval(
+      std::min(rounding::multiply(x.lower(), y.upper()).lower, rounding::multiply(x.upper(), y.lower()).lower),
+      std::max(rounding::multiply(x.lower(), y.lower()).upper, rounding::multiply(x.upper(), y.upper()).upper));
+}
+}  // namespace
+
 Interval operator*(const Interval& x, const Interval& y)
 {
   if (x.isEmpty() || y.isEmpty())
     return Interval::empty();
-  const rounding::Bounds products[] = { rounding::multiply(x.lower(), y.lower()),
-                                        rounding::multiply(x.lower(), y.upper()),
-                                        rounding::multiply(x.upper(), y.lower()),
-                                        rounding::multiply(x.upper(), y.upper()) };
-  double lower = INF;
-  double upper = -INF;
-  for (const auto& product : products)
-  {
-    lower = std::min(lower, product.lower);
-    upper = std::max(upper, product.upper);
-  }
-  return Interval(lower, upper);
+  if (y.lower() < 0.0 && y.upper() > 0.0)
+    return x.lower() >= 0.0 ? timesNotNegative(y, x) : x.upper() <= 0.0 ? timesNotNegative(-y, -x) : timesBoth(x, y);
+  return y.lower() >= 0.0 ? timesNotNegative(x, y) : timesNotNegative(-x, -y);
 }
 
 Interval operator/(const Interval& x, const Interval& y)

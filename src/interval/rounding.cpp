@@ -2,6 +2,8 @@
 #include "pkm_workspace/interval/rounding.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace pkm_workspace
 {
@@ -15,14 +17,38 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 /// Below this magnitude an error term may underflow: its sign is then taken from operands scaled by powers of two.
 constexpr double SMALL = 0x1p-900;
 
+/// The double next to a finite one, away from 0 or towards it: doubles of one sign are in the order of their bits.
+double nextAwayFromZero(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  ++bits;
+  std::memcpy(&x, &bits, sizeof(bits));
+  return x;
+}
+
+double nextTowardsZero(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  --bits;
+  std::memcpy(&x, &bits, sizeof(bits));
+  return x;
+}
+
+double nextUp(double x)
+{
+  return x > 0.0 ? nextAwayFromZero(x) : x < 0.0 ? nextTowardsZero(x) : std::numeric_limits<double>::denorm_min();
+}
+
 /// @param error has the sign of (exact result - rounded result)
 Bounds around(double rounded, double error)
 {
   if (!SOUND || error == 0.0)
     return { rounded, rounded };
   if (error > 0.0)
-    return { rounded, std::nextafter(rounded, INF) };
-  return { std::nextafter(rounded, -INF), rounded };
+    return { rounded, nextUp(rounded) };
+  return { -nextUp(-rounded), rounded };
 }
 
 /// The sign of a * b - product for a product that is tiny, out of the operands' digits.

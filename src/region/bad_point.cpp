@@ -10,10 +10,10 @@ BadPointSearch::BadPointSearch(const BoxTest& test, const Shape& shape, const Ei
 Eigen::Vector3d BadPointSearch::gradientAt(const Eigen::Vector3d& point, double margin) const
 {
   const double difference = 1e-6 * step_;
-  Eigen::Vector3d gradient;
-  for (int axis = 0; axis < 3; ++axis)
-    gradient[axis] = (test_.margin(point + difference * Eigen::Vector3d::Unit(axis)) - margin) / difference;
-  return gradient;
+  const Eigen::Vector3d offsets[] = { Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ() };
+  Eigen::Vector3d margins;
+  test_.kernel().margins(point, difference, offsets, 3, margins.data());
+  return (margins.array() - margin) / difference;
 }
 
 Eigen::Vector3d BadPointSearch::descend(const Eigen::Vector3d& start, int steps) const

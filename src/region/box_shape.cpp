@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -66,6 +68,8 @@ public:
   std::optional<AffineForm<double>> avoidance(const Eigen::Vector3d& point, const Box& centers,
                                               double size) const override
   {
+    if (sidesLeft(point, centers, size) > 1)
+      return std::nullopt;
     AffineForm<double> beyond;  // how far the point is beyond the one side that is left
     beyond.center = -1.0;
     int sides_left = 0;
@@ -82,6 +86,18 @@ public:
       }
     return sides_left <= 1 ? std::optional<AffineForm<double>>(beyond) : std::nullopt;
   }
+
+  Eigen::Vector3d exit(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const override
+  {
+    const Eigen::Vector3d offset = point - center;
+    Eigen::Array3d depth = size * halfExtents().array() - offset.array().abs();
+    depth = (proportions_.array() > 0.0).select(depth, std::numeric_limits<double>::infinity());
+    int axis = 0;
+    depth.minCoeff(&axis);
+    return std::copysign(1.0, offset[axis]) * Eigen::Vector3d::Unit(axis);
+  }
+
+  double support(const Eigen::Vector3d& n) const override { return n.cwiseAbs().dot(halfExtents()); }
 
   Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const override
   {
@@ -106,6 +122,14 @@ public:
   }
 
 private:
+  /// How many sides of a region a point may be beyond, in floating point and not counting those in doubt.
+  int sidesLeft(const Eigen::Vector3d& point, const Box& centers, double size) const
+  {
+    const Eigen::Array3d reach = (1.0 + 1e-9) * size * halfExtents().array();
+    return static_cast<int>(((point - centers.lower).array() > reach).count() +
+                            ((centers.upper - point).array() > reach).count());
+  }
+
   Interval half(double size, int axis) const { return Interval(size) * Interval(0.5 * proportions_[axis]); }
   /// Encloses every coordinate that the region takes along the axis.
   Interval sides(const Eigen::Vector3d& center, double size, int axis) const

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/containment.h"
 
 namespace pkm_workspace
@@ -23,6 +22,10 @@ constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
 constexpr std::int64_t VERIFICATION_BOXES = 20000;
 /// New witness points that one climb may learn from failed certificates.
 constexpr int LESSONS = 24;
+/// From so many boxes on the bounds of boxes are lowered on the way; a search that ends before has no use for them.
+constexpr std::int64_t LONG_SEARCH = 512;
+/// Looks that lower the bounds of open boxes when a search is ended early.
+constexpr int LAST_LOOKS = 256;
 /// Boxes of centers narrower than this, relative to the longest strut, are beyond what doubles can settle.
 constexpr double LEAST_WIDTH = 1e-13;
 /// The finest accuracy that is tried, as a length relative to the longest strut.
@@ -35,7 +38,8 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
   , space_(centerSpace(machine, query))
   , witnesses_(*query.shape)
   , center_tests_(WAVE, CenterTest(test_, *query.shape, witnesses_))
-  , local_search_(test_, *query.shape, space_.centers)
+  , local_search_(test_, *query.shape, witnesses_, space_.centers)
+  , pool_(query.budget.threads)
   , scale_(machine.scale())
   , accuracy_(std::max(query.accuracy, LEAST_ACCURACY * scale_ / query.shape->halfExtents().maxCoeff()))
   , begin_(std::chrono::steady_clock::now())
@@ -91,7 +95,7 @@ void CenterSearch::climbFrom(const Candidate& start)
   Candidate found = start;
   for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
   {
-    found = local_search_.climb(start, witnesses_.ofShape());
+    found = local_search_.climb(found, BACK_OFFS[0] * accuracy_);
     const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
     if (!bad_point)
       break;
@@ -126,7 +130,7 @@ void CenterSearch::start()
 void CenterSearch::tryCenter(const Box& centers, double size)
 {
   const Candidate candidate{ centers.center(), size };
-  if (center_tests_.front().margin(candidate.center, size, 0.0) < 0.0)
+  if (!center_tests_.front().isPromising(candidate.center, size))
     return;
   const auto bad_point = certify(candidate);
   if (bad_point)
@@ -158,7 +162,8 @@ CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTes
 {
   Look look{ node.bound <= size || center_test.excludes(node.centers, size), node.bound, center_test.room() };
   const double middle = 0.5 * (size + node.bound);
-  if (!look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
+  const bool is_long = boxes_ >= LONG_SEARCH;
+  if (is_long && !look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
     look.bound = middle;
   return look;
 }
@@ -172,7 +177,7 @@ void CenterSearch::settle(const Node& node, double size, const Look& look)
     return;
   }
   tryCenter(node.centers, target());
-  if (look.bound == node.bound)
+  if (boxes_ >= LONG_SEARCH && look.bound == node.bound)
     tryCenter(node.centers, 0.5 * (target() + node.bound));
   const int axis = node.centers.widestAxis();
   if (node.centers.width(axis) < LEAST_WIDTH * scale_ || !node.centers.canBisect(axis))
@@ -195,8 +200,7 @@ void CenterSearch::processWave()
     wave.push_back(open_.top());
   const double size = target();
   std::vector<Look> looks(wave.size());
-  parallelFor(query_.budget.threads, wave.size(),
-              [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
+  pool_.forEach(wave.size(), [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
   for (std::size_t k = 0; k < wave.size(); ++k)
     settle(wave[k], size, looks[k]);
 }
@@ -216,6 +220,21 @@ bool CenterSearch::outOfBudget()
   return budget.isOver(now);
 }
 
+/// Lowers the upper bound as far as looks at whole open boxes can.
+void CenterSearch::lowerBounds()
+{
+  for (int look = 0; look < LAST_LOOKS && !open_.empty(); ++look)
+  {
+    Node node = open_.top();
+    const double lower = 0.5 * (target() + node.bound);
+    if (node.bound <= target() || lower >= node.bound || !center_tests_.front().excludes(node.centers, lower))
+      return;
+    open_.pop();
+    node.bound = lower;
+    open_.push(node);
+  }
+}
+
 LargestRegion CenterSearch::run()
 {
   if (!space_.centers.isValid())
@@ -224,7 +243,10 @@ LargestRegion CenterSearch::run()
   while (!open_.empty())
   {
     if (outOfBudget())
+    {
+      lowerBounds();
       return result(false);
+    }
     processWave();
   }
   return result(true);

@@ -65,16 +65,16 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
       bound = std::min(bound, (room / extent).upper());
   };
   const std::vector<Eigen::Vector3d> points = query.shape->extremePoints();
-  for (const Eigen::Vector3d& first : points)
-    for (const Eigen::Vector3d& second : points)
+  for (std::size_t first = 0; first < points.size(); ++first)
+    for (std::size_t second = 0; second < first; ++second)
     {
-      const IntervalVector difference = enclose(first) - enclose(second);
+      const IntervalVector difference = enclose(points[first]) - enclose(points[second]);
       for (int i = 0; i < 3; ++i)
         take(Interval(2.0) * cylinderRadius(machine.leg(i), query.criterion), norm(machine.projector(i) * difference));
       for (std::size_t k = 0; k < 3; ++k)
         if (std::isfinite(bounds.upper[static_cast<int>(k)] - bounds.lower[static_cast<int>(k)]))
           take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),
-               difference[k]);
+               abs(difference[k]));
     }
   return bound;
 }

@@ -2,7 +2,6 @@
 #include "pkm_workspace/region/center_test.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pkm_workspace
 {
@@ -65,8 +64,11 @@ bool CenterTest::addCuts()
   for (const NecessaryForms& necessary : necessary_)
     for (std::size_t m = 0; m < necessary.matrices; ++m)
     {
+      const double enough = room_ - WORTH_A_CUT;
+      if (isAbove(necessary.matrix[m], delta, enough))
+        continue;
       const auto pair = leastEigenvector(necessary.matrix[m], delta);
-      if (pair.value > room_ - WORTH_A_CUT)
+      if (pair.value > enough)
         continue;
       const AffineForm<double> form = quadraticForm(necessary.matrix[m], pair.vector);
       const double value = form.center + form.radius + form.gradient[0] * delta[0] + form.gradient[1] * delta[1] +
@@ -110,18 +112,15 @@ bool CenterTest::excludes(const Box& centers, double size)
   return false;
 }
 
-double CenterTest::margin(const Eigen::Vector3d& center, double size, double enough) const
+bool CenterTest::isPromising(const Eigen::Vector3d& center, double size)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& point : witnesses_.bad())
-    if (shape_.contains(point, Box{ center, center }, size))
-      return -least;
-  for (const Eigen::Vector3d& k : witnesses_.ofShape())
-  {
-    least = std::min(least, test_.margin(center + size * k));
-    if (least < enough)
-      break;
-  }
-  return least;
+  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  margins_.resize(places.size());
+  test_.kernel().margins(center, size, places.data(), places.size(), margins_.data());
+  if (*std::min_element(margins_.begin(), margins_.end()) < 0.0)
+    return false;
+  return std::none_of(witnesses_.bad().begin(), witnesses_.bad().end(), [&](const Eigen::Vector3d& point) {
+    return shape_.contains(point, Box{ center, center }, size);
+  });
 }
 }  // namespace pkm_workspace

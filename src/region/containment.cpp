@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/containment.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,6 +17,42 @@ namespace
 constexpr double LEAST_WIDTH = 1e-13;
 /// Steps of one local search for a bad point.
 constexpr int STEPS = 8;
+/// Parts that are looked at side by side.
+constexpr std::size_t BATCH = 8;
+/// The thinnest and the thickest slab that is cut off a part, as shares of its widest side. Chosen by counting boxes.
+constexpr double LEAST_CUT = 1.0 / 16.0;
+constexpr double MOST_CUT = 0.5;
+constexpr double SAFETY = 0.9;  ///< 0.5 would be enough if the form said it all
+
+/// Where to divide a part that is undecided.
+struct Cut
+{
+  int axis;
+  double plane;
+};
+
+/// The form is negative in one corner of the part. Cutting off a slab that holds this corner leaves a part on which the
+/// form is positive: across the axis where the slab is thinnest, unless that is not thin at all.
+Cut cutOff(const Box& part, const AffineForm<double>& form)
+{
+  const int widest = part.widestAxis();
+  Cut cut{ widest, part.center()[widest] };
+  double thinnest = MOST_CUT;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double slope = form.gradient[static_cast<std::size_t>(axis)];
+    if (slope == 0.0 || !part.canBisect(axis))
+      continue;
+    const double narrow = part.width(widest) / part.width(axis);
+    const double share = narrow * std::max(LEAST_CUT, -SAFETY * form.lower() / std::abs(slope));
+    if (share >= thinnest)
+      continue;
+    thinnest = share;
+    const double depth = share / narrow * part.width(axis);
+    cut = { axis, slope > 0.0 ? part.lower[axis] + depth : part.upper[axis] - depth };
+  }
+  return cut;
+}
 
 /// Subdivides one region; looks for a bad point wherever the margin is the least so far.
 class Proof
@@ -25,39 +64,80 @@ public:
 
   ContainmentResult run(std::int64_t max_boxes, const std::atomic<bool>* stop)
   {
-    for (const Eigen::Vector3d& k : shape_.extremePoints())
-      if (refute(center_ + size_ * k))
-        return result_;
-    std::vector<Box> open = { shape_.boundingBox(center_, size_) };
-    while (!open.empty())
+    if (refuteAtExtremes())
+      return result_;
+    divideAtCenter(shape_.boundingBox(center_, size_));
+    while (!open_.empty())
     {
-      if (result_.boxes >= max_boxes || (stop && *stop))
+      if (result_.boxes >= max_boxes || (stop && *stop) || !lookAtBatch(max_boxes - result_.boxes))
         return result_;
-      const Box part = open.back();
-      open.pop_back();
-      if (shape_.misses(part, center_, size_))
-        continue;
-      ++result_.boxes;
-      if (test_.classify(part) == BoxVerdict::INSIDE)
-        continue;
-      if (refute(part.center()))
-        return result_;
-      const int axis = part.widestAxis();
-      if (part.width(axis) < LEAST_WIDTH * std::sqrt(test_.model().squaredScale()) || !part.canBisect(axis))
-        return result_;
-      const auto halves = part.bisect(axis);
-      open.push_back(halves.second);
-      open.push_back(halves.first);
     }
     result_.verdict = Containment::INSIDE;
     return result_;
   }
 
 private:
-  /// Follows the margin down from a point that is worse than all before it. @return whether a bad point is proved
-  bool refute(const Eigen::Vector3d& start)
+  /// The first looks would be lost: halves along every axis at once.
+  void divideAtCenter(const Box& bounds)
   {
-    const double margin = test_.margin(start);
+    open_ = { bounds };
+    for (int axis = 0; axis < 3; ++axis)
+      if (bounds.canBisect(axis))
+        for (std::size_t k = open_.size(); k-- > 0;)
+        {
+          const auto halves = open_[k].bisect(axis);
+          open_[k] = halves.first;
+          open_.push_back(halves.second);
+        }
+  }
+
+  bool refuteAtExtremes()
+  {
+    const std::vector<Eigen::Vector3d> extremes = shape_.extremePoints();
+    std::vector<double> margins(extremes.size());
+    test_.kernel().margins(center_, size_, extremes.data(), extremes.size(), margins.data());
+    const auto worst = std::min_element(margins.begin(), margins.end());
+    return refute(center_ + size_ * extremes[static_cast<std::size_t>(worst - margins.begin())], *worst);
+  }
+
+  /// Looks at the next parts, divides those that stay undecided. @return whether the proof can go on
+  bool lookAtBatch(std::int64_t allowed)
+  {
+    std::array<Box, BATCH> parts;
+    std::size_t count = 0;
+    for (; count < BATCH && static_cast<std::int64_t>(count) < allowed && !open_.empty(); open_.pop_back())
+      if (!shape_.misses(open_.back(), center_, size_))
+        parts[count++] = open_.back();
+    std::array<BoxVerdict, BATCH> verdicts;
+    std::array<AffineForm<double>, BATCH> worst;
+    test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data());
+    result_.boxes += static_cast<std::int64_t>(count);
+    for (std::size_t k = 0; k < count; ++k)
+      if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))
+        return false;
+    return !refuteWithin(parts, verdicts, count);
+  }
+
+  /// Looks for a bad point from the worst center of the parts that stay undecided.
+  bool refuteWithin(const std::array<Box, BATCH>& parts, const std::array<BoxVerdict, BATCH>& verdicts,
+                    std::size_t count)
+  {
+    std::array<Eigen::Vector3d, BATCH> centers;
+    std::array<double, BATCH> margins;
+    std::size_t undecided = 0;
+    for (std::size_t k = 0; k < count; ++k)
+      if (verdicts[k] != BoxVerdict::INSIDE)
+        centers[undecided++] = parts[k].center();
+    if (undecided == 0)
+      return false;
+    test_.kernel().margins(Eigen::Vector3d::Zero(), 1.0, centers.data(), undecided, margins.data());
+    const auto worst = std::min_element(margins.begin(), margins.begin() + static_cast<std::ptrdiff_t>(undecided));
+    return refute(centers[static_cast<std::size_t>(worst - margins.begin())], *worst);
+  }
+
+  /// Follows the margin down from a point that is worse than all before it. @return whether a bad point is proved
+  bool refute(const Eigen::Vector3d& start, double margin)
+  {
     if (margin >= least_margin_)
       return false;
     const Eigen::Vector3d worst = search_.descend(start, STEPS);
@@ -68,12 +148,25 @@ private:
     return result_.bad_point.has_value();
   }
 
+  bool divide(const Box& part, const AffineForm<double>& worst)
+  {
+    const int widest = part.widestAxis();
+    if (part.width(widest) < LEAST_WIDTH * std::sqrt(test_.model().squaredScale()) || !part.canBisect(widest))
+      return false;
+    const Cut cut = cutOff(part, worst);
+    const auto halves = part.splitAt(cut.axis, cut.plane);
+    open_.push_back(halves.second);
+    open_.push_back(halves.first);
+    return true;
+  }
+
   const BoxTest& test_;
   BadPointSearch search_;
   const Shape& shape_;
   Eigen::Vector3d center_;
   double size_;
   double least_margin_ = std::numeric_limits<double>::infinity();
+  std::vector<Box> open_;
   ContainmentResult result_;
 };
 }  // namespace

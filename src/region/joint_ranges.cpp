@@ -2,6 +2,7 @@
 #include "pkm_workspace/region/joint_ranges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -25,7 +26,13 @@ public:
     , projector_(machine.projector(leg))
     , length_(machine.leg(leg).length)
     , weight_(weight)
-  {}
+    , middle_center_(mid(center_))
+    , middle_weight_(mid(weight))
+    , middle_squared_length_(length_.mid() * length_.mid())
+  {
+    for (int row = 0; row < 3; ++row)
+      middle_projector_.row(row) = mid(projector_[static_cast<std::size_t>(row)]);
+  }
 
   struct Value
   {
@@ -45,6 +52,13 @@ public:
     return { dot(weight_, offset) - height, weight_ + (Interval(1.0) / height) * across };
   }
 
+  /// In floating point.
+  Vector3d gradientAt(const Vector3d& p) const
+  {
+    const Vector3d across = middle_projector_ * (p - middle_center_);
+    return middle_weight_ + across / std::sqrt(middle_squared_length_ - across.squaredNorm());
+  }
+
   /// A bound, for step lengths, on the second derivatives where the value is at least the one given: L^2 / height^3.
   double curvature(double least_height) const
   {
@@ -56,6 +70,10 @@ private:
   IntervalMatrix projector_;
   Interval length_;
   IntervalVector weight_;
+  Vector3d middle_center_;
+  Vector3d middle_weight_;
+  double middle_squared_length_;
+  Eigen::Matrix3d middle_projector_;
 };
 
 /// The region that is looked at.
@@ -88,7 +106,7 @@ Interval minimum(const ConvexFunction& f, const Region& region, double step)
   Vector3d point = region.center;
   for (int k = 0; k < STEPS; ++k)
   {
-    const Vector3d next = shape.nearest(point - step * mid(f.at(enclose(point)).gradient), region.center, region.size);
+    const Vector3d next = shape.nearest(point - step * f.gradientAt(point), region.center, region.size);
     if (next == point)
       break;
     point = next;

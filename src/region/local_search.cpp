@@ -17,20 +17,46 @@ constexpr double DIFFERENCE = 1e-7;  ///< half width of the boxes that give grad
 constexpr double SMALLEST_TRUST = 1e-12;  ///< relative to the longest strut
 }  // namespace
 
-LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const Box& centers)
+LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers)
   : test_(test)
   , shape_(shape)
+  , witnesses_(witnesses)
   , centers_(centers)
   , scale_(std::sqrt(test.model().squaredScale()))
   , reach_(shape.halfExtents().maxCoeff())
 {}
 
-LocalSearch::Step LocalSearch::assess(const Candidate& candidate, const std::vector<Eigen::Vector3d>& witnesses) const
+LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& k : witnesses)
-    least = std::min(least, test_.margin(candidate.center + candidate.size * k));
-  return { candidate, scale_ * std::max(0.0, -least) };
+  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  margins_.resize(places.size());
+  test_.kernel().margins(candidate.center, candidate.size, places.data(), places.size(), margins_.data());
+  double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
+  for (const Eigen::Vector3d& point : witnesses_.bad())
+    violation = std::max(violation, exitOf(candidate, point).depth);
+  return { candidate, std::max(0.0, violation) };
+}
+
+LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const
+{
+  const Eigen::Vector3d normal = shape_.exit(point, candidate.center, candidate.size);
+  const double support = shape_.support(normal);
+  return { normal, support, candidate.size * support - normal.dot(point - candidate.center) };
+}
+
+/// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
+void LocalSearch::addExits(const Candidate& from, double trust)
+{
+  for (const Eigen::Vector3d& point : witnesses_.bad())
+  {
+    const Exit exit = exitOf(from, point);
+    LinearProgramme<5>::Row row{ 0.5 * slack_ - exit.depth, {} };
+    for (std::size_t j = 0; j < 3; ++j)
+      row.slope[j] = -trust * exit.normal[static_cast<int>(j)];
+    row.slope[3] = -trust * exit.support / reach_;
+    row.slope[4] = 0.5 * slack_;
+    programme_.add(row);
+  }
 }
 
 double LocalSearch::merit(const Step& step) const
@@ -40,80 +66,63 @@ double LocalSearch::merit(const Step& step) const
 
 /// Appends form(p) >= 0 around p = center + size * witness, in steps of the trust region. Lengths of the form's
 /// gradient are those of the small box that it was evaluated on.
-void LocalSearch::addRow(const AffineForm<double>& form, double scale, double trust, const Eigen::Vector3d& witness)
+void LocalSearch::addRow(const AffineForm<double>& form, double trust, const Eigen::Vector3d& witness)
 {
-  const double unit = scale_ / (scale * DIFFERENCE * scale_);  // to a length [m] per [m]
-  LinearProgramme<5>::Row row{ scale_ * form.center / scale, {} };
+  const double unit = trust / DIFFERENCE;
+  LinearProgramme<5>::Row row{ scale_ * form.center, {} };
   for (std::size_t j = 0; j < 3; ++j)
   {
-    const double slope = form.gradient[j] * unit * trust;
+    const double slope = form.gradient[j] * unit;
     row.slope[j] = slope;
     row.slope[3] += slope * witness[static_cast<int>(j)] / reach_;
   }
   row.offset += 0.5 * slack_;  // the unknown violation runs from 0 to slack_
   row.slope[4] = 0.5 * slack_;
-  programme_.add(row);
+  if (std::isfinite(row.slope[3]) && std::isfinite(row.offset))
+    programme_.add(row);
 }
 
-void LocalSearch::linearize(const Candidate& from, double trust, const Eigen::Vector3d& witness)
+void LocalSearch::linearize(const Candidate& from, double trust)
 {
-  const MachineModel<double>& model = test_.model();
+  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
   CenteredBox<double> box(Box{ from.center, from.center });
-  box = box.moved(from.size, witness);
   box.half_widths.fill(DIFFERENCE * scale_);
-  const MachineForms<double> forms = model.evaluate(box);
-  const double squared = model.squaredScale();
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    AffineForm<double> reach = forms.radicand[i];
-    reach.center -= model.floor(i);
-    addRow(reach, squared, trust, witness);
-  }
-  for (std::size_t leg = 0; leg < 3; ++leg)
-    for (int side = 0; side < 2; ++side)
-      if (model.limited(leg, side))
-        addRow(model.limitMargin(leg, side, forms, box), scale_, trust, witness);
-  if (model.oriented())
-    addRow(model.orientation(forms), squared * scale_, trust, witness);
-  if (model.criterion().set != Criterion::Set::DEXTROUS)
-    return;
-  for (const auto& matrix : { model.upperMatrix(forms), model.lowerMatrix(forms) })
-  {
-    addRow(quadraticForm(matrix, leastEigenvector(matrix).vector), squared, trust, witness);
-    matrices_.push_back(matrix);
-    matrix_witnesses_.push_back(witness);
-  }
+  necessary_.resize(places.size());
+  test_.kernel().necessaryForms(box, from.size, places.data(), places.size(), necessary_.data());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t row = 0; row < necessary_[k].forms; ++row)
+      addRow(necessary_[k].form[row], trust, places[k]);
+  addExits(from, trust);
 }
 
 /// Adds a row for every matrix that is not semidefinite at the programme's optimum.
 bool LocalSearch::addCuts(double trust)
 {
+  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
   const auto& x = programme_.point();
-  const double squared = test_.model().squaredScale();
+  const double unit = trust / (DIFFERENCE * scale_);
   bool added = false;
-  for (std::size_t m = 0; m < matrices_.size(); ++m)
-  {
-    std::array<double, 3> delta;
-    for (std::size_t j = 0; j < 3; ++j)
-      delta[j] = trust * (x[j] + x[3] * matrix_witnesses_[m][static_cast<int>(j)] / reach_) / (DIFFERENCE * scale_);
-    const auto pair = leastEigenvector(matrices_[m], delta);
-    if (pair.value * scale_ / squared > -1e-3 * trust)
-      continue;
-    addRow(quadraticForm(matrices_[m], pair.vector), squared, trust, matrix_witnesses_[m]);
-    added = true;
-  }
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t m = 0; m < necessary_[k].matrices; ++m)
+    {
+      std::array<double, 3> delta;
+      for (std::size_t j = 0; j < 3; ++j)
+        delta[j] = unit * (x[j] + x[3] * places[k][static_cast<int>(j)] / reach_);
+      const SymmetricForms<double>& matrix = necessary_[k].matrix[m];
+      if (isAbove(matrix, delta, -1e-3 * trust / scale_))
+        continue;
+      addRow(quadraticForm(matrix, leastEigenvector(matrix, delta).vector), trust, places[k]);
+      added = true;
+    }
   return added;
 }
 
-Candidate LocalSearch::propose(const Step& step, double trust, const std::vector<Eigen::Vector3d>& witnesses)
+Candidate LocalSearch::propose(const Step& step, double trust)
 {
   const Candidate& from = step.candidate;
   slack_ = 2.0 * step.violation + 4.0 * trust;
-  matrices_.clear();
-  matrix_witnesses_.clear();
   programme_.reset({ 0.0, 0.0, 0.0, trust, -0.5 * PENALTY * slack_ });
-  for (const Eigen::Vector3d& k : witnesses)
-    linearize(from, trust, k);
+  linearize(from, trust);
   for (int round = 0; round < CUT_ROUNDS; ++round)
     if (!programme_.solve() || !addCuts(trust))
       break;
@@ -122,13 +131,14 @@ Candidate LocalSearch::propose(const Step& step, double trust, const std::vector
   return { center.cwiseMax(centers_.lower).cwiseMin(centers_.upper), std::max(0.0, from.size + trust * x[3] / reach_) };
 }
 
-Candidate LocalSearch::climb(const Candidate& start, const std::vector<Eigen::Vector3d>& witnesses)
+Candidate LocalSearch::climb(const Candidate& start, double precision)
 {
-  Step best = assess(start, witnesses);
+  Step best = assess(start);
   double trust = 0.2 * scale_;
-  for (int step = 0; step < MAX_STEPS && trust > SMALLEST_TRUST * scale_; ++step)
+  const double smallest = std::max(precision * reach_, SMALLEST_TRUST * scale_);
+  for (int step = 0; step < MAX_STEPS && trust > smallest; ++step)
   {
-    const Step next = assess(propose(best, trust, witnesses), witnesses);
+    const Step next = assess(propose(best, trust));
     const double gain = merit(next) - merit(best);
     if (gain <= 0.0)
     {
@@ -140,10 +150,11 @@ Candidate LocalSearch::climb(const Candidate& start, const std::vector<Eigen::Ve
     best = next;
     trust = move > 0.5 * trust ? std::min(2.0 * trust, scale_) : std::max(2.0 * move, 0.25 * trust);
   }
+  double reduction = 1e-15 * scale_;
   while (best.violation > 0.0 && best.candidate.size > 0.0)
   {
-    const double reduction = std::max(2.0 * best.violation / reach_, 1e-15 * scale_);
-    best = assess({ best.candidate.center, std::max(0.0, best.candidate.size - reduction) }, witnesses);
+    reduction = std::max(2.0 * best.violation / reach_, 2.0 * reduction);
+    best = assess({ best.candidate.center, std::max(0.0, best.candidate.size - reduction) });
   }
   return best.violation > 0.0 ? Candidate{ best.candidate.center, 0.0 } : best.candidate;
 }

@@ -134,35 +134,24 @@ void addRegion(const Region& region, Scene& scene)
   scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text.str());
 }
 
-/// How often each side of the whole was halved to make the box.
-std::array<long, 3> halvings(const Box& whole, const Box& box)
-{
-  std::array<long, 3> counts{};
-  for (int axis = 0; axis < 3; ++axis)
-    if (box.width(axis) > 0.0)
-      counts[static_cast<std::size_t>(axis)] = std::lround(std::log2(whole.width(axis) / box.width(axis)));
-  return counts;
-}
-
 /// One list for each size, because a list has one scale. Flat boxes (their set does not change along the rails, and the
 /// region lies in their plane) are drawn with a little thickness, just below it.
-void addBoxes(const std::string& ns, const Color& color, const std::vector<Box>& boxes, const Box& whole, Scene& scene)
+void addBoxes(const std::string& ns, const Color& color, const BoxTree& tree, CellState state, Scene& scene)
 {
+  const Box& whole = tree.bisection().root();
   const Eigen::Vector3d thickness = scene.unit() * ((whole.upper - whole.lower).array() == 0.0).cast<double>().matrix();
   const Color layer = { color.r, color.g, color.b, thickness.isZero() ? color.a : 5.0F * color.a };
-  std::map<std::array<long, 3>, std::vector<const Box*>> sizes;
-  for (const Box& box : boxes)
-    sizes[halvings(whole, box)].push_back(&box);
-  for (const auto& size : sizes)
+  for (const std::vector<Box>& boxes : tree.boxes(state))
   {
+    if (boxes.empty())
+      continue;
     Marker& list = scene.add(ns, Marker::CUBE_LIST, layer);
-    const Box& first = *size.second.front();
-    const Eigen::Vector3d scale = first.upper - first.lower + thickness;
+    const Eigen::Vector3d scale = boxes.front().upper - boxes.front().lower + thickness;
     list.scale.x = scale.x();
     list.scale.y = scale.y();
     list.scale.z = scale.z();
-    for (const Box* box : size.second)
-      list.points.push_back(toMessage(box->center() - 2.0 * thickness));
+    for (const Box& box : boxes)
+      list.points.push_back(toMessage(box.center() - 2.0 * thickness));
   }
 }
 
@@ -200,9 +189,9 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& m
   if (region.size > 0.0)
     addRegion(region, scene);
   if (paving)
-    addBoxes("paving_inside", INSIDE, paving->inside, paving->box, scene);
+    addBoxes("paving_inside", INSIDE, paving->tree, CellState::INSIDE, scene);
   if (paving && show_boundary)
-    addBoxes("paving_boundary", BOUNDARY, paving->boundary, paving->box, scene);
+    addBoxes("paving_boundary", BOUNDARY, paving->tree, CellState::BOUNDARY, scene);
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
     addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), fromMessage(region.center), scene);
   return scene.array();

@@ -94,8 +94,9 @@ const Paving* RegionPublisher::pavingFor(const RegionQuery& query)
     {
       paving_ = pave(urdf_.machine, wanted);
       paved_ = wanted;
-      ROS_INFO_NAMED("paving", "set at resolution %g m: %zu boxes inside, %zu at its border; %.3g s", wanted.resolution,
-                     paving_->inside.size(), paving_->boundary.size() + paving_->pending.size(), paving_->seconds);
+      ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
+                     static_cast<long>(paving_->tree.count(CellState::INSIDE)),
+                     static_cast<long>(paving_->boxes - paving_->tree.count(CellState::INSIDE)), paving_->seconds);
     }
     return &*paving_;
   }

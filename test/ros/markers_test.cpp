@@ -34,15 +34,17 @@ Region regionWithSides(double x, double y, double z)
   return region;
 }
 
-/// Two whole boxes, and a quarter of one.
+/// Halves across x, then across y; of the half with the smaller x both, of the other one none.
 Paving smallPaving()
 {
+  using State = CellState;
   Paving paving;
-  paving.box = { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 2.0 } };
-  paving.inside = { { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } },
-                    { { 1.0, 0.0, 0.0 }, { 2.0, 1.0, 1.0 } },
-                    { { 0.0, 1.0, 0.0 }, { 0.5, 1.5, 1.0 } } };
-  paving.boundary = { { { 0.0, 0.0, 1.0 }, { 1.0, 1.0, 2.0 } } };
+  paving.box = { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 1.0 } };
+  paving.tree = BoxTree(Bisection(paving.box, 0.5));
+  paving.tree.addLevel({ State::SPLIT });
+  paving.tree.addLevel({ State::SPLIT, State::SPLIT });
+  paving.tree.addLevel({ State::INSIDE, State::INSIDE, State::SPLIT, State::BOUNDARY });
+  paving.tree.addLevel({ State::INSIDE, State::OUTSIDE });
   return paving;
 }
 
@@ -127,10 +129,11 @@ TEST(Markers, putBoxesOfOneSizeIntoOneList)
   EXPECT_EQ(2U, lists[0].points.size());
   EXPECT_EQ(1.0, lists[0].scale.x);
   EXPECT_EQ(0.5, lists[0].points[0].x);
+  EXPECT_EQ(1.5, lists[0].points[1].y);
   EXPECT_EQ(1U, lists[1].points.size());
-  EXPECT_EQ(0.5, lists[1].scale.y);
+  EXPECT_EQ(0.5, lists[1].scale.x);
   EXPECT_EQ(1.0, lists[1].scale.z);
-  EXPECT_EQ(1.25, lists[1].points[0].y);
+  EXPECT_EQ(1.25, lists[1].points[0].x);
 }
 
 TEST(Markers, showTheBoundaryOnlyWhenAsked)
@@ -144,7 +147,8 @@ TEST(Markers, giveFlatBoxesAThickness)
 {
   Paving paving;
   paving.box = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 } };
-  paving.inside = { paving.box };
+  paving.tree = BoxTree(Bisection(paving.box, 1.0));
+  paving.tree.addLevel({ CellState::INSIDE });
   const auto lists = inNamespace(draw(regionWithSides(1.0, 1.0, 0.0), &paving), "paving_inside");
   ASSERT_EQ(1U, lists.size());
   EXPECT_GT(lists[0].scale.z, 0.0);

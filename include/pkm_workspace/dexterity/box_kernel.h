@@ -25,7 +25,7 @@ struct NecessaryForms
 
   bool violated = false;                         ///< no point of the box can satisfy the criterion, proved
   std::size_t matrices = 0;                      ///< 2 for the transmission factors, otherwise 0
-  std::size_t forms = 0;                         ///< how many of the forms are in use
+  std::size_t forms = 0;                         ///< how many of the forms are in use; the aspect's only where in doubt
   std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, without unit
   std::array<AffineForm<double>, MOST> form;     ///< without unit; the first ones are v^T S v for the matrices
 };
@@ -40,7 +40,9 @@ public:
   /// Boxes that are worked on side by side.
   virtual std::size_t width() const = 0;
   /// One look at each box as a whole, without subdivision.
-  virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts) const = 0;
+  /// @param worst for boxes that stay undecided the form v^T S v that stands in the way, or one that is 0; or nullptr
+  virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts,
+                        AffineForm<double>* worst = nullptr) const = 0;
   /// The necessary forms at the centers' box, moved by size * offset for each offset.
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                               std::size_t count, NecessaryForms* results) const = 0;

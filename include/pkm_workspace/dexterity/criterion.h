@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/interval/box.h"
+#include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
 {
@@ -21,7 +22,7 @@ struct Budget
 {
   double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
   std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
-  int threads = 1;                          ///< 1 to 1024
+  int threads = processors();               ///< 1 to 1024; no answer depends on it
   const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
 
   void validate(Problems& problems) const;

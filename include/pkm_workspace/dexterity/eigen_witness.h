@@ -115,6 +115,20 @@ inline Eigenpair<Real> leastEigenvector(const SymmetricForms<Real>& m, const std
   return eigen::leastEigenpair(matrix);
 }
 
+/// Whether M - level I is positive definite at one delta, in floating point: far cheaper than the eigenvalue.
+inline bool isAbove(const SymmetricForms<double>& m, const std::array<double, 3>& delta, double level)
+{
+  const auto at = [&](std::size_t k) {
+    return m[k].center + (m[k].gradient[0] * delta[0] + m[k].gradient[1] * delta[1] + m[k].gradient[2] * delta[2]);
+  };
+  const double first = at(0) - level;
+  const double off01 = at(5), off02 = at(4);
+  const double second = (at(1) - level) * first - off01 * off01;
+  const double mixed = at(3) * first - off01 * off02;
+  const double third = ((at(2) - level) * first - off02 * off02) * second - mixed * mixed;
+  return first > 0.0 && second > 0.0 && third > 0.0;
+}
+
 template <class Real>
 inline Eigenpair<Real> leastEigenvector(const SymmetricForms<Real>& m)
 {

@@ -5,10 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/paving/box_tree.h"
 
 namespace pkm_workspace
 {
@@ -35,13 +34,11 @@ struct PavingQuery
 /// The box approximation of the criterion's set (paper, section 2.6).
 struct Paving
 {
-  Box box;                    ///< what was paved [m]
-  std::vector<Box> inside;    ///< S: every point of these satisfies the criterion
-  std::vector<Box> boundary;  ///< worked down to the resolution and undecided
-  std::vector<Box> pending;   ///< not looked at: the budget ended the run
-  Interval volume_inside;     ///< encloses V_a, the volume of the inner boxes [m^3]
-  Interval volume_boundary;   ///< encloses V_e, the volume of boundary and pending boxes [m^3]
-  std::int64_t boxes = 0;     ///< boxes looked at
+  Box box;                   ///< what was paved [m]
+  BoxTree tree;              ///< its boxes: S is those that are INSIDE
+  Interval volume_inside;    ///< encloses V_a, the volume of the inner boxes [m^3]
+  Interval volume_boundary;  ///< encloses V_e, the volume of boundary and pending boxes [m^3]
+  std::int64_t boxes = 0;    ///< boxes looked at
   double seconds = 0.0;
   bool complete = false;  ///< no box is pending
 

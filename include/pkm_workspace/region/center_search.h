@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/region/center_test.h"
 #include "pkm_workspace/region/largest_region.h"
@@ -57,6 +58,7 @@ private:
   void grow();
   void tryCenter(const Box& centers, double size);
   bool outOfBudget();
+  void lowerBounds();
   double target() const;
   double upperBound() const;
   double seconds() const;
@@ -68,6 +70,7 @@ private:
   WitnessPoints witnesses_;
   std::vector<CenterTest> center_tests_;  ///< one for each box of a wave
   LocalSearch local_search_;
+  ThreadPool pool_;
   double scale_;     ///< the longest strut [m]
   double accuracy_;  ///< the query's, or the finest that doubles are tried at
   Candidate incumbent_;

@@ -31,9 +31,9 @@ public:
   /// After excludes() was false: the optimum of the programme, without unit. The larger, the more room seems to be
   /// left.
   double room() const { return room_; }
-  /// The least criterion margin over the witness points of one region, in floating point; ends early below @p enough,
-  /// and is -infinity when a bad point lies in the region.
-  double margin(const Eigen::Vector3d& center, double size, double enough) const;
+  /// Whether nothing that is known so far speaks against one region, in floating point: neither the criterion at its
+  /// witness points nor a bad point within it.
+  bool isPromising(const Eigen::Vector3d& center, double size);
 
 private:
   bool addNecessary(const NecessaryForms& necessary);
@@ -46,6 +46,7 @@ private:
   const WitnessPoints& witnesses_;
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
+  std::vector<double> margins_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
   double room_ = 0.0;
 };

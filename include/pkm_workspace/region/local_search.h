@@ -6,7 +6,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/witness_points.h"
 
 namespace pkm_workspace
 {
@@ -22,36 +22,47 @@ struct Candidate
 class LocalSearch
 {
 public:
-  /// @param centers where the center may lie [m]
-  LocalSearch(const BoxTest& test, const Shape& shape, const Box& centers);
+  /// Keeps references: the witness points may grow between calls. @param centers where the center may lie [m]
+  LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers);
 
-  /// Climbs from a start. @param witnesses points of K that are looked at
+  /// Climbs from a start. @param precision of the size
   /// @return the best candidate whose witness points satisfy the criterion; size <= 0 when there is none
-  Candidate climb(const Candidate& start, const std::vector<Eigen::Vector3d>& witnesses);
+  Candidate climb(const Candidate& start, double precision);
 
 private:
   struct Step
   {
     Candidate candidate;
-    double violation;  ///< how far the criterion is missed at the worst witness point, as a length [m]
+    double violation;  ///< how far the worst witness point misses the criterion or is inside, as a length [m]
   };
 
-  Step assess(const Candidate& candidate, const std::vector<Eigen::Vector3d>& witnesses) const;
+  /// How a bad point leaves a region.
+  struct Exit
+  {
+    Eigen::Vector3d normal;
+    double support;
+    double depth;  ///< how far inside the point is [m]
+  };
+
+  Step assess(const Candidate& candidate);
+  Exit exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const;
+  void addExits(const Candidate& from, double trust);
   double merit(const Step& step) const;
-  Candidate propose(const Step& step, double trust, const std::vector<Eigen::Vector3d>& witnesses);
-  void linearize(const Candidate& from, double trust, const Eigen::Vector3d& witness);
-  void addRow(const AffineForm<double>& form, double scale, double trust, const Eigen::Vector3d& witness);
+  Candidate propose(const Step& step, double trust);
+  void linearize(const Candidate& from, double trust);
+  void addRow(const AffineForm<double>& form, double trust, const Eigen::Vector3d& witness);
   bool addCuts(double trust);
 
   const BoxTest& test_;
   const Shape& shape_;
+  const WitnessPoints& witnesses_;
   Box centers_;
   double scale_;        ///< the longest strut [m]
   double reach_;        ///< largest half extent of K
   double slack_ = 0.0;  ///< largest violation that the programme may leave [m]
   LinearProgramme<5>
       programme_;  ///< unknowns: step of the center, step of the size, violation; in units of the trust region
-  std::vector<SymmetricForms<double>> matrices_;
-  std::vector<Eigen::Vector3d> matrix_witnesses_;
+  std::vector<NecessaryForms> necessary_;  ///< one for each witness point
+  std::vector<double> margins_;
 };
 }  // namespace pkm_workspace

@@ -37,7 +37,12 @@ public:
   /// the point; nothing when no such function is at hand.
   virtual std::optional<AffineForm<double>> avoidance(const Eigen::Vector3d& point, const Box& centers,
                                                       double size) const = 0;
-  /// The nearest point of c + h K, in floating point.
+  /// The outward normal, of length 1, of the side of c + h K through which a point within leaves it soonest; along axes
+  /// without thickness there is no leaving. Floating point, as the next two.
+  virtual Eigen::Vector3d exit(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
+  /// The largest n . k over the points k of K.
+  virtual double support(const Eigen::Vector3d& n) const = 0;
+  /// The nearest point of c + h K.
   virtual Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
   /// As shape_msgs/SolidPrimitive has it, rounded inward: full sides of a box [m] (square: [a, a, 0]).
   virtual std::vector<double> dimensions(double size) const = 0;

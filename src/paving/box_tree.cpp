@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/paving/box_tree.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Parts are counted in 32 bits.
+constexpr int MOST_HALVINGS = 31;
+}  // namespace
+
+Bisection::Bisection(const Box& root, double resolution) : root_(root), halvings_({ { 0, 0, 0 } })
+{
+  for (std::size_t k = 0; k < 3; ++k)
+    sides_[k] = DyadicPartition(root.lower[static_cast<int>(k)], root.upper[static_cast<int>(k)]);
+  for (;;)
+  {
+    std::array<int, 3> counts = halvings_.back();
+    std::size_t widest = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (sides_[k].width(counts[k]) > sides_[widest].width(counts[widest]))
+        widest = k;
+    if (sides_[widest].width(counts[widest]) <= resolution || !sides_[widest].canDivide(counts[widest]))
+      return;
+    if (++counts[widest] > MOST_HALVINGS)
+    {
+      std::ostringstream text;
+      text << "resolution = " << resolution << " m must be at least " << sides_[widest].width(MOST_HALVINGS)
+           << " m: a side of the box can be halved " << MOST_HALVINGS << " times";
+      throw std::invalid_argument(text.str());
+    }
+    axes_.push_back(static_cast<int>(widest));
+    halvings_.push_back(counts);
+  }
+}
+
+Box Bisection::box(const Cell& cell, std::size_t level) const
+{
+  const std::array<int, 3>& counts = halvings_[level];
+  Box result;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    result.lower[static_cast<int>(k)] = sides_[k].face(counts[k], cell[k]);
+    result.upper[static_cast<int>(k)] = sides_[k].face(counts[k], cell[k] + 1);
+  }
+  return result;
+}
+
+Interval Bisection::volume(std::size_t level) const
+{
+  Interval volume(1.0);
+  for (std::size_t k = 0; k < 3; ++k)
+    volume *= sides_[k].length(halvings_[level][k]);
+  return volume;
+}
+
+void BoxTree::addLevel(std::vector<CellState> states)
+{
+  counts_.emplace_back();
+  for (const CellState state : states)
+    ++counts_.back()[static_cast<std::size_t>(state)];
+  levels_.push_back(std::move(states));
+}
+
+std::int64_t BoxTree::count(CellState state, std::size_t level) const
+{
+  return counts_[level][static_cast<std::size_t>(state)];
+}
+
+std::int64_t BoxTree::count(CellState state) const
+{
+  std::int64_t sum = 0;
+  for (std::size_t level = 0; level < levels(); ++level)
+    sum += count(state, level);
+  return sum;
+}
+
+Interval BoxTree::volume(CellState state) const
+{
+  Interval sum(0.0);
+  for (std::size_t level = 0; level < levels(); ++level)
+    if (count(state, level) > 0)
+      sum += Interval(static_cast<double>(count(state, level))) * bisection_.volume(level);
+  return sum;
+}
+
+std::vector<std::vector<Box>> BoxTree::boxes(CellState state) const
+{
+  std::vector<std::vector<Box>> found(levels());
+  std::vector<Cell> cells = { Cell{ 0, 0, 0 } };
+  for (std::size_t level = 0; level < levels(); ++level)
+  {
+    std::vector<Cell> next;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      if (levels_[level][k] == state)
+        found[level].push_back(bisection_.box(cells[k], level));
+      if (levels_[level][k] == CellState::SPLIT)
+        for (const std::uint32_t side : { 0U, 1U })
+          next.push_back(bisection_.half(cells[k], level, side));
+    }
+    cells = std::move(next);
+  }
+  return found;
+}
+}  // namespace pkm_workspace
