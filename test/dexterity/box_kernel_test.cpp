@@ -122,7 +122,7 @@ void expectSameForms(const NecessaryForms& a, const NecessaryForms& b)
     expectSameForm(a.form[i], b.form[i]);
 }
 
-/// Finds what the forms say at points of one small moved box that the oracle calls good.
+/// Finds what the forms of small moved boxes say at points that the oracle knows, often next to the border of the set.
 class NecessityCheck
 {
 public:
@@ -134,14 +134,13 @@ public:
   {
     const double scale = machine_.scale();
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(random_.between(0.0, 1.0) * scale);
-    const CenteredBox<double> centers(random_.boxIn({ machine_.zero() - reach, machine_.zero() + reach }, 0.2 * scale));
-    const double size = random_.between(0.0, 0.4 * scale);
+    centers_ = CenteredBox<double>(random_.boxIn({ machine_.zero() - reach, machine_.zero() + reach }, scale));
+    size_ = random_.between(0.0, 0.4 * scale);
     const auto offsets = randomOffsets(random_);
     std::vector<NecessaryForms> results(MOST);
-    kernel_.necessaryForms(centers, size, offsets.data(), MOST, results.data());
+    kernel_.necessaryForms(centers_, size_, offsets.data(), MOST, results.data());
     for (std::size_t i = 0; i < MOST; ++i)
-      for (int sample = 0; sample < 2; ++sample)
-        tryOnePoint(centers, size, offsets[i], results[i]);
+      tryOneMove(offsets[i], results[i]);
   }
 
   int good() const { return good_; }
@@ -149,52 +148,59 @@ public:
 
 private:
   using Number = Oracle::Number;
+  using Delta = std::array<double, 3>;
 
-  void tryOnePoint(const CenteredBox<double>& centers, double size, const Eigen::Vector3d& offset,
-                   const NecessaryForms& forms)
+  Delta anyDelta() { return { random_.between(-1.0, 1.0), random_.between(-1.0, 1.0), random_.between(-1.0, 1.0) }; }
+
+  bool isGood(const Eigen::Vector3d& offset, const Delta& delta) const
   {
     Oracle::Vector point;
     for (std::size_t k = 0; k < 3; ++k)
-    {
-      delta_[k] = random_.between(-1.0, 1.0);
       point[k] =
-          centers.center[k] + Number(centers.half_widths[k]) * delta_[k] + Number(size) * offset[static_cast<int>(k)];
+          centers_.center[k] + Number(centers_.half_widths[k]) * delta[k] + Number(size_) * offset[static_cast<int>(k)];
+    return oracle_.isGood(point);
+  }
+
+  /// Tries two points; if only one of them is good, it is first moved next to the border.
+  void tryOneMove(const Eigen::Vector3d& offset, const NecessaryForms& forms)
+  {
+    Delta a = anyDelta(), b = anyDelta();
+    const bool is_a_good = isGood(offset, a), is_b_good = isGood(offset, b);
+    for (int step = 0; step < 20 && is_a_good != is_b_good; ++step)
+    {
+      const Delta middle = { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 };
+      (isGood(offset, middle) == is_a_good ? a : b) = middle;
     }
-    const bool is_good = oracle_.isGood(point);
-    good_ += is_good;
+    tryOnePoint(forms, a, is_a_good);
+    tryOnePoint(forms, b, is_b_good);
+  }
+
+  void tryOnePoint(const NecessaryForms& forms, const Delta& delta, bool is_good)
+  {
     bool refuses = forms.violated;
     for (std::size_t i = 0; i < forms.forms; ++i)
-      refuses = refuses || highest(forms.form[i]) < 0;
+      refuses = refuses || highest(forms.form[i], delta) < 0;
+    for (std::size_t m = 0; m < forms.matrices; ++m)
+      refuses = refuses ||
+                highest(quadraticForm(forms.matrix[m], leastEigenvector(forms.matrix[m], delta).vector), delta) < 0;
+    good_ += is_good;
     refused_ += refuses;
-    EXPECT_FALSE(is_good && refuses) << point[0] << " " << point[1] << " " << point[2];
-    for (std::size_t m = 0; is_good && m < forms.matrices; ++m)
-      EXPECT_GE(highestQuadraticForm(forms.matrix[m]), 0) << point[0] << " " << point[1] << " " << point[2];
+    EXPECT_FALSE(is_good && refuses) << centers_.center[0] << " " << centers_.center[1] << " " << centers_.center[2];
   }
 
   /// The largest value of a member at delta.
-  Number highest(const AffineForm<double>& f) const
+  static Number highest(const AffineForm<double>& f, const Delta& delta)
   {
-    return f.center + Number(f.gradient[0]) * delta_[0] + Number(f.gradient[1]) * delta_[1] +
-           Number(f.gradient[2]) * delta_[2] + f.radius;
-  }
-
-  /// The largest value of v^T M v at delta for a random vector v: that of a member that is semidefinite is >= 0.
-  Number highestQuadraticForm(const SymmetricForms<double>& m)
-  {
-    const double v[] = { random_.between(-1.0, 1.0), random_.between(-1.0, 1.0), random_.between(-1.0, 1.0) };
-    const Number weight[] = { Number(v[0]) * v[0],     Number(v[1]) * v[1],     Number(v[2]) * v[2],
-                              Number(2) * v[1] * v[2], Number(2) * v[0] * v[2], Number(2) * v[0] * v[1] };
-    Number sum = 0;
-    for (std::size_t k = 0; k < 6; ++k)
-      sum += weight[k] * (highest(m[k]) - m[k].radius) + abs(weight[k]) * m[k].radius;
-    return sum;
+    return f.center + Number(f.gradient[0]) * delta[0] + Number(f.gradient[1]) * delta[1] +
+           Number(f.gradient[2]) * delta[2] + f.radius;
   }
 
   Machine machine_;
   Oracle oracle_;
   const BoxKernel& kernel_;
   RandomBoxes random_;
-  std::array<double, 3> delta_;
+  CenteredBox<double> centers_;
+  double size_ = 0.0;
   int good_ = 0;
   int refused_ = 0;
 };
@@ -273,7 +279,7 @@ TEST(BoxKernels, necessaryFormsAreNotNegativeAtGoodPoints)
 {
   forEachQuestion([](const Question& question, const MachineModel<double>&, const auto& kernels) {
     NecessityCheck check(question, *kernels.front());
-    for (int k = 0; k < cases(20); ++k)
+    for (int k = 0; k < cases(50); ++k)
       check.tryOneBox();
     EXPECT_GT(check.refused(), 10) << "the forms say nothing";
     if (question.criterion.aspect != Criterion::Aspect::OTHER)
