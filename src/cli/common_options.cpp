@@ -41,7 +41,7 @@ void declareBudget(Options& options, Budget& budget)
                  "ends with the best proved so far; without it, no limit");
   options.count("max-boxes", budget.max_boxes, MOST_BOXES,
                 "boxes looked at before it ends with the best proved so far; without it, no limit");
-  options.count("threads", budget.threads, 1024, "threads that compute; as many as this machine runs at a time, unless given");
+  options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -40,7 +40,7 @@ public:
           upper[k][lane] = box.upper.data()[k];
         }
       AffineForm<Real> form;
-      const Verdicts found = look(CenteredBox<Real>(pointOf(lower), pointOf(upper)), form);
+      const Verdicts found = look(CenteredBox<Real>(pointOf(lower), pointOf(upper)), worst ? &form : nullptr);
       for (int lane = 0; lane < W && first + static_cast<std::size_t>(lane) < count; ++lane)
       {
         const std::size_t k = first + static_cast<std::size_t>(lane);
@@ -99,8 +99,8 @@ private:
 
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
-  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the form v^T S v that is lowest.
-  Verdicts look(const CenteredBox<Real>& box, AffineForm<Real>& worst) const
+  /// The verdicts on W boxes (design, section 3, items 1 and 2), and, if asked for, the form v^T S v that is lowest.
+  Verdicts look(const CenteredBox<Real>& box, AffineForm<Real>* worst) const
   {
     const MachineForms<Real> forms = model_.evaluate(box);
     Verdicts verdicts{ everywhere(), !everywhere() };
@@ -128,18 +128,21 @@ private:
     verdicts.inside = verdicts.inside & (form.lower() > Real(0.0));
   }
 
-  void lookAtFactors(const MachineForms<Real>& forms, Verdicts& verdicts, AffineForm<Real>& worst) const
+  void lookAtFactors(const MachineForms<Real>& forms, Verdicts& verdicts, AffineForm<Real>* worst) const
   {
     for (const bool upper : { true, false })
     {
       const SymmetricForms<Real> matrix = upper ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
-      const Mask definite = isPositiveDefinite(matrix);
+      const Mask definite = worst || any(verdicts.inside) ? isPositiveDefinite(matrix) : !everywhere();
       verdicts.inside = verdicts.inside & definite;
-      if (!any(!(definite | verdicts.outside)))
+      // a vector with v^T S v < 0 exists only where S is not definite at the center
+      const Mask open = !(definite | verdicts.outside);
+      if (!any(worst ? open : open & !isDefiniteAtCenter(matrix)))
         continue;
       const AffineForm<Real> form = quadraticForm(matrix, leastEigenvector(matrix).vector);
       verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
-      worst = select((!definite) & (form.lower() < worst.lower()), form, worst);
+      if (worst)
+        *worst = select((!definite) & (form.lower() < worst->lower()), form, *worst);
     }
     if (!model_.oriented() || !any(!verdicts.outside))
       return;

@@ -65,6 +65,14 @@ void BoxTree::addLevel(std::vector<CellState> states)
   levels_.push_back(std::move(states));
 }
 
+std::size_t BoxTree::bytes() const
+{
+  std::size_t sum = 0;
+  for (const std::vector<CellState>& level : levels_)
+    sum += level.capacity() * sizeof(CellState);
+  return sum;
+}
+
 std::int64_t BoxTree::count(CellState state, std::size_t level) const
 {
   return counts_[level][static_cast<std::size_t>(state)];

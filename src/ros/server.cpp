@@ -110,11 +110,12 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
 Server::~Server()
 {
   worker_.stop();
+  painter_.stop();
 }
 
 void Server::advertise()
 {
-  publisher_.emplace(node_, private_node_, parameters_, urdf_, worker_.stopFlag());
+  publisher_.emplace(node_, private_node_, parameters_, urdf_, painter_.stopFlag());
   get_service_ = private_node_.advertiseService("get_region", &Server::getRegion, this);
   ros::NodeHandle computing(private_node_);
   computing.setCallbackQueue(&worker_.queue());
@@ -125,10 +126,12 @@ bool Server::run()
 {
   worker_.post([this] { computeFirst(); });
   worker_.start();
+  painter_.start();
   // ros::ok() turns false only after the services have ended, which wait for the computation that is to be stopped here
   while (!ros::isShuttingDown())
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
   worker_.stop();
+  painter_.stop();
   return !failed_;
 }
 
@@ -161,7 +164,7 @@ Server::RegionConstPtr Server::compute(RegionQuery query)
   const auto region = std::make_shared<const Region>(toMessage(answer, urdf_.machine, header));
   setLastRegion(region);
   publisher_->publish(*region);
-  worker_.post([this, query, region] {
+  painter_.post([this, query, region] {
     if (region == lastRegion())
       publisher_->publishMarkers(query, *region);
   });

@@ -113,18 +113,12 @@ TEST_P(PackLanes, operationsAreThoseOfDouble)
   });
 }
 
-/// What filling and abs() promise: +0 and -0 are one number to them.
-testing::AssertionResult sameButForTheSignOfZero(double a, double b)
-{
-  return a == 0.0 && b == 0.0 ? testing::AssertionSuccess() : sameBits(a, b);
-}
-
 TEST_P(PackLanes, oneNumberFillsAllLanes)
 {
   forEachPair([this](const std::array<double, 2>& a, const std::array<double, 2>&) {
     const Pair filled = under<Pair>(mode(), [&] { return Pair(a[0]); });
     for (const int lane : { 0, 1 })
-      ASSERT_TRUE(sameButForTheSignOfZero(filled[lane], a[0]));
+      ASSERT_TRUE(sameBits(filled[lane], a[0]));
   });
 }
 
@@ -133,7 +127,7 @@ TEST_P(PackLanes, absoluteValuesAreThoseOfDouble)
   forEachPair([this](const std::array<double, 2>& a, const std::array<double, 2>&) {
     const Pair got = under<Pair>(mode(), [&] { return abs(together(a[0], a[1])); });
     for (const int lane : { 0, 1 })
-      ASSERT_TRUE(sameButForTheSignOfZero(got[lane], std::abs(a[static_cast<std::size_t>(lane)])));
+      ASSERT_TRUE(sameBits(got[lane], std::abs(a[static_cast<std::size_t>(lane)])));
   });
 }
 

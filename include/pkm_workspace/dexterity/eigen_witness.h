@@ -45,7 +45,7 @@ inline Vector<Real> longer(const Vector<Real>& a, const Vector<Real>& b)
   return { select(first, a[0], b[0]), select(first, a[1], b[1]), select(first, a[2], b[2]) };
 }
 
-/// The least eigenvalue, to about seven digits of the spectrum's width: with q the mean and p the spread of the
+/// The least eigenvalue, to about six digits of the spectrum's width: with q the mean and p the spread of the
 /// eigenvalues it is q - 2 p cos(acos(-r) / 3), r = det((M - q I) / p) / 2 (Smith 1961). In s = sqrt((1 - r) / 2) the
 /// cosine is smooth: a polynomial, fitted to 4e-7.
 template <class Real>

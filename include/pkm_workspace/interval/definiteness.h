@@ -65,6 +65,17 @@ auto isPositiveDefinite(const SymmetricForms<Real>& m)
   return definite;
 }
 
+/// Whether the matrix at delta = 0 has positive leading minors: floating point, no proof.
+template <class Real>
+auto isDefiniteAtCenter(const SymmetricForms<Real>& m)
+{
+  const Real first = m[0].center;
+  const Real second = first * m[1].center - m[5].center * m[5].center;
+  const Real mixed = first * m[3].center - m[5].center * m[4].center;
+  const Real third = (first * m[2].center - m[4].center * m[4].center) * second - mixed * mixed;
+  return (first > Real(0)) & (second > Real(0)) & (third > Real(0));
+}
+
 /// Encloses v^T M v for a constant vector v.
 template <class Real>
 AffineForm<Real> quadraticForm(const SymmetricForms<Real>& m, const std::array<Real, 3>& v)

@@ -50,7 +50,11 @@ struct Pack
   Lanes lanes;
 
   Pack() = default;
-  explicit Pack(double value) : lanes(Lanes{} + value) {}
+  explicit Pack(double value)
+  {
+    for (int lane = 0; lane < W; ++lane)
+      lanes[lane] = value;  // adding it to zeros would lose the sign of -0
+  }
   explicit Pack(Lanes values) : lanes(values) {}
 
   /// The lanes from an array of W numbers.
@@ -98,7 +102,8 @@ inline Pack<W> min(Pack<W> a, Pack<W> b)
 template <int W>
 inline Pack<W> abs(Pack<W> a)
 {
-  return select(a < Pack<W>(0.0), -a, a);
+  using Masks = typename LanesOf<W>::Masks;
+  return Pack<W>(typename Pack<W>::Lanes(Masks(a.lanes) & (Masks{} + INT64_MAX)));
 }
 template <int W>
 inline Pack<W> sqrt(Pack<W> a)

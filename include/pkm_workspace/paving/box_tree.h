@@ -68,6 +68,9 @@ public:
   /// @param states as many as the levels before leave open
   void addLevel(std::vector<CellState> states);
 
+  /// Memory that the boxes take [bytes].
+  std::size_t bytes() const;
+
   /// How many boxes of a level, or of all, have that state.
   std::int64_t count(CellState state, std::size_t level) const;
   std::int64_t count(CellState state) const;

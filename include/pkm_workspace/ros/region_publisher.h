@@ -14,7 +14,7 @@
 namespace pkm_workspace
 {
 /// Shows a region to others: latched ~region, ~joint_ranges and ~markers, and the machine at its center on
-/// joint_states. For one thread, the one that computes.
+/// joint_states. publish() is for one thread, the one that computes; publishMarkers() may be for another.
 class RegionPublisher
 {
 public:

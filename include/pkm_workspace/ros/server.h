@@ -18,8 +18,9 @@ namespace pkm_workspace
 {
 /// The node: the largest region of a machine from robot_description, by services and on latched topics.
 ///
-/// Two threads: the one in run() answers what can be answered at once, the worker computes. They share the last region
-/// under a lock, everything else is constant or the worker's own.
+/// Three threads: the one in run() answers what can be answered at once, the worker computes, the painter makes markers,
+/// so that no request waits for a picture. They share the last region under a lock, everything else is constant or one
+/// thread's own.
 class Server
 {
 public:
@@ -41,7 +42,7 @@ private:
   bool getRegion(GetRegion::Request& request, GetRegion::Response& response);
 
   void computeFirst();
-  /// Computes, publishes and keeps what it finds; leaves the markers to a later job.
+  /// Computes, publishes and keeps what it finds; leaves the markers to the painter.
   RegionConstPtr compute(RegionQuery query);
   void setLastRegion(const RegionConstPtr& region);
   RegionConstPtr lastRegion() const;
@@ -52,6 +53,7 @@ private:
   const UrdfMachine urdf_;
   const std::string frame_;
   Worker worker_;
+  Worker painter_;
   std::optional<RegionPublisher> publisher_;
   bool failed_ = false;  ///< the worker's, until it has stopped
   ros::ServiceServer compute_service_;

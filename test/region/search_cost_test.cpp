@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What proofs cost, as counts that no machine and no load changes. Each limit is the mark, or what was measured and a
+// good half more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/region/center_test.h"
+#include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/region/largest_region.h"
+#include "support/machines.h"
+
+namespace
+{
+std::atomic<long> allocations(0);
+}  // namespace
+
+void* operator new(std::size_t size)
+{
+  ++allocations;
+  void* const memory = std::malloc(size == 0 ? 1 : size);
+  if (memory == nullptr)
+    throw std::bad_alloc();
+  return memory;
+}
+
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+namespace pkm_workspace
+{
+namespace
+{
+LargestRegion solve(const Machine& machine, const ShapePtr& shape, double accuracy)
+{
+  RegionQuery query;
+  query.shape = shape;
+  query.accuracy = accuracy;
+  const LargestRegion region = findLargestRegion(machine, query);
+  EXPECT_EQ(region.status, LargestRegion::Status::PROVEN) << region.message;
+  return region;
+}
+}  // namespace
+
+TEST(SearchCost, aCubeThatNearlyTouchesTheBound)
+{
+  const BoxTest test(orthoglide(), Criterion());
+  const auto proof = checkContainment(test, *makeCube(), Eigen::Vector3d::Constant(0.086273015), 0.6439);
+  EXPECT_EQ(proof.verdict, Containment::INSIDE);
+  EXPECT_LE(proof.boxes, 100);
+}
+
+TEST(SearchCost, growsHardlyWithTheAccuracy)
+{
+  const LargestRegion coarse = solve(orthoglide(), makeCube(), 1e-3);
+  EXPECT_LE(coarse.boxes, 400);
+  EXPECT_LE(coarse.verification_boxes, 400);
+  const LargestRegion fine = solve(orthoglide(), makeCube(), 1e-7);
+  EXPECT_LE(fine.boxes, coarse.boxes + coarse.boxes / 2);
+  EXPECT_LE(fine.verification_boxes, 400);
+  const LargestRegion square = solve(uranesx(), makeSquare(), 1e-6);
+  EXPECT_LE(square.boxes, 150);
+  EXPECT_LE(square.verification_boxes, 300);
+}
+
+// The square's inside nearly touches the bound, from one side and from the other.
+TEST(SearchCost, aSpotWithinTheSquare)
+{
+  const LargestRegion clear = solve(uranesx(Interval(0.3850), Interval(0.0)), makeSquare(), 1e-4);
+  EXPECT_LE(clear.boxes, 150);
+  EXPECT_LE(clear.verification_boxes, 3000);
+  const LargestRegion bad = solve(uranesx(Interval(0.3848), Interval(0.0)), makeSquare(), 1e-4);
+  EXPECT_LE(bad.boxes, 700);
+  EXPECT_LE(bad.verification_boxes, 15000);
+}
+
+TEST(SearchCost, machinesWithoutSymmetry)
+{
+  std::vector<std::int64_t> boxes;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    const LargestRegion region = solve(test::crooked(seed), makeCube(), 1e-4);
+    boxes.push_back(region.boxes);
+    EXPECT_LE(region.verification_boxes, 7000) << "seed " << seed;
+  }
+  std::sort(boxes.begin(), boxes.end());
+  EXPECT_LE(boxes[10], 800);
+  EXPECT_LE(boxes.back(), 1700);
+}
+
+TEST(SearchCost, pavingOfTheOrthoglide)
+{
+  PavingQuery query;
+  query.box = Box{ Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0) };
+  query.resolution = 0.01;
+  const Paving paving = pave(orthoglide(), query);
+  EXPECT_GE(paving.volume_inside.lower(), 1.589);
+  EXPECT_LE(paving.volume_boundary.upper(), 0.09);
+  EXPECT_LE(paving.boxes, 700000);
+  const auto leaves = paving.tree.count(CellState::INSIDE) + paving.tree.count(CellState::OUTSIDE) +
+                      paving.tree.count(CellState::BOUNDARY);
+  EXPECT_LE(static_cast<std::int64_t>(paving.tree.bytes()), 16 * leaves);
+}
+
+TEST(SearchCost, looksAtCentersAllocateNothing)
+{
+  const BoxTest test(orthoglide(), Criterion());
+  const ShapePtr cube = makeCube();
+  WitnessPoints witnesses(*cube);
+  witnesses.learn(Eigen::Vector3d::Zero(), 0.7, Eigen::Vector3d(0.3, 0.3, 0.3));
+  CenterTest center_test(test, *cube, witnesses);
+  const Box centers{ Eigen::Vector3d::Constant(0.05), Eigen::Vector3d::Constant(0.12) };
+  const bool first = center_test.excludes(centers, 0.645);
+  const long before = allocations;
+  for (const double size : { 0.645, 0.66, 0.7, 0.645 })
+    center_test.excludes(centers, size);
+  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(center_test.excludes(centers, 0.645), first);
+}
+}  // namespace pkm_workspace
