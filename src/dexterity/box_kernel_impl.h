@@ -23,7 +23,13 @@ class PackKernel : public BoxKernel
   };
 
 public:
-  explicit PackKernel(const MachineModel<double>& model) : model_(model) {}
+  explicit PackKernel(const MachineModel<double>& model) : model_(model)
+  {
+    int exponent = 0;
+    frexp(model.squaredScale(), &exponent);
+    for (int power = 0; power < 4; ++power)
+      per_scale_[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
+  }
 
   std::size_t width() const override { return W; }
 
@@ -158,9 +164,6 @@ private:
   void collect(const CenteredBox<Real>& box, NecessaryForms* results, std::size_t count) const
   {
     const MachineForms<Real> forms = model_.evaluate(box);
-    const Real scale = Real(1.0) / model_.squaredScale();
-    const Enclosed<Real> per_square = inexactly(scale);
-    const Enclosed<Real> per_length = inexactly(sqrt(scale));
     Mask violated = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
       violated = violated | (forms.radicand[i].upper() < model_.floor(i));
@@ -168,36 +171,43 @@ private:
     begin(results, count, violated, dextrous ? 2 : 0);
     for (std::size_t m = 0; m < 2 && dextrous; ++m)
     {
-      const SymmetricForms<Real> matrix = per_square * (m == 0 ? model_.upperMatrix(forms) : model_.lowerMatrix(forms));
+      SymmetricForms<Real> matrix = m == 0 ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
+      for (AffineForm<Real>& entry : matrix)
+        entry = scaled(entry, 2);
       for (std::size_t entry = 0; entry < 6; ++entry)
         for (std::size_t lane = 0; lane < W && lane < count; ++lane)
           results[lane].matrix[m][entry] = laneOf(matrix[entry], static_cast<int>(lane));
       append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
     }
     for (std::size_t i = 0; i < 3 && !dextrous; ++i)
-      append(per_square * forms.radicand[i], everywhere(), results, count);
+      append(scaled(forms.radicand[i], 2), everywhere(), results, count);
     if (model_.oriented())
-      appendOrientation(forms, per_square, per_length, results, count);
+      appendOrientation(forms, results, count);
     for (std::size_t leg = 0; leg < 3; ++leg)
       for (int side = 0; side < 2; ++side)
         if (model_.limited(leg, side))
-          append(per_length * model_.limitMargin(leg, side, forms, box), everywhere(), results, count);
+          append(scaled(model_.limitMargin(leg, side, forms, box), 1), everywhere(), results, count);
   }
 
   /// Where S_min is definite the sign of det A at one point is the one everywhere: its form helps only where it is
   /// wrong.
-  void appendOrientation(const MachineForms<Real>& forms, const Enclosed<Real>& per_square,
-                         const Enclosed<Real>& per_length, NecessaryForms* results, std::size_t count) const
+  void appendOrientation(const MachineForms<Real>& forms, NecessaryForms* results, std::size_t count) const
   {
     Mask useful = everywhere();
     if (model_.criterion().set == Criterion::Set::DEXTROUS)
       useful = model_.orientationAtCenter(forms).lower() < Real(0.0);
     if (any(useful))
-      append(per_square * (per_length * model_.orientation(forms)), useful, results, count);
+      append(scaled(model_.orientation(forms), 3), useful, results, count);
   }
 
-  /// A positive factor: forms may be scaled by any, so that its own error does not matter.
-  static Enclosed<Real> inexactly(const Real& factor) { return { factor, Real(0.0) }; }
+  /// The form over a power of the machine's scale, to be without unit: powers of two, which round nothing.
+  AffineForm<Real> scaled(const AffineForm<Real>& form, std::size_t power) const
+  {
+    const Real factor = per_scale_[power];
+    return { form.center * factor,
+             { form.gradient[0] * factor, form.gradient[1] * factor, form.gradient[2] * factor },
+             form.radius * factor };
+  }
 
   static AffineForm<Real> select(Mask mask, const AffineForm<Real>& a, const AffineForm<Real>& b)
   {
@@ -233,5 +243,6 @@ private:
   }
 
   MachineModel<Real> model_;
+  std::array<Real, 4> per_scale_;  ///< powers of about 1 / the longest strut
 };
 }  // namespace pkm_workspace

@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t WAVE = 16;
 /// Starts of the local search besides the zero configuration: the best of a grid of this many centers along each axis.
 constexpr int GRID = 4;
-constexpr std::size_t STARTS = 4;
+constexpr std::size_t STARTS = 2;
 /// How far below the local optimum a region is certified, as shares of the accuracy; the first that is proved counts.
 constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
 /// If none of these is, a region is certified that is this much smaller.

@@ -67,11 +67,14 @@ int LinearProgramme<N>::mostViolated() const
   int worst = NONE;
   double largest = 0.0;
   for (std::size_t j = 0; j < rows_.size(); ++j)
-    if (excess(static_cast<int>(j)) > largest)
+  {
+    const double violation = excess(static_cast<int>(j));
+    if (violation > largest)
     {
-      largest = excess(static_cast<int>(j));
+      largest = violation;
       worst = static_cast<int>(j);
     }
+  }
   for (std::size_t k = 0; k < N; ++k)
     if (std::abs(point_[k]) - 1.0 - FEASIBILITY > largest)
     {
