@@ -16,6 +16,9 @@ namespace pkm_workspace
 {
 namespace
 {
+/// Requests that come within this time [s] of each other get one picture, of the last.
+constexpr double BURST = 0.05;
+
 /// A request that is not answered, with the reason for the response.
 struct Refusal : std::runtime_error
 {
@@ -163,12 +166,18 @@ Server::RegionConstPtr Server::compute(RegionQuery query)
   header.frame_id = frame_;
   const auto region = std::make_shared<const Region>(toMessage(answer, urdf_.machine, header));
   setLastRegion(region);
+  worker_.post([this, query, region] { show(query, region); });  // whoever asked has the answer by then
+  return region;
+}
+
+void Server::show(const RegionQuery& query, const RegionConstPtr& region)
+{
   publisher_->publish(*region);
   painter_.post([this, query, region] {
+    ros::WallDuration(BURST).sleep();
     if (region == lastRegion())
       publisher_->publishMarkers(query, *region);
   });
-  return region;
 }
 
 bool Server::computeLargestRegion(ComputeLargestRegion::Request& request, ComputeLargestRegion::Response& response)

@@ -18,9 +18,9 @@ namespace pkm_workspace
 {
 /// The node: the largest region of a machine from robot_description, by services and on latched topics.
 ///
-/// Three threads: the one in run() answers what can be answered at once, the worker computes, the painter makes markers,
-/// so that no request waits for a picture. They share the last region under a lock, everything else is constant or one
-/// thread's own.
+/// Three threads: the one in run() answers what can be answered at once, the worker computes, the painter makes
+/// markers, so that no request waits for a picture. They share the last region under a lock, everything else is
+/// constant or one thread's own.
 class Server
 {
 public:
@@ -42,8 +42,10 @@ private:
   bool getRegion(GetRegion::Request& request, GetRegion::Response& response);
 
   void computeFirst();
-  /// Computes, publishes and keeps what it finds; leaves the markers to the painter.
+  /// Computes and keeps what it finds; leaves it to later jobs to show it.
   RegionConstPtr compute(RegionQuery query);
+  /// Publishes; leaves the markers to the painter.
+  void show(const RegionQuery& query, const RegionConstPtr& region);
   void setLastRegion(const RegionConstPtr& region);
   RegionConstPtr lastRegion() const;
 
