@@ -5,14 +5,17 @@ namespace pkm_workspace
 {
 BoxKernel::~BoxKernel() = default;
 
-#ifdef PKM_WORKSPACE_AVX2
-/// In box_kernel_avx2.cpp, compiled for processors that have these instructions.
+// In files of their own, compiled for processors that have these instructions.
 const BoxKernel* makeAvx2Kernel(const MachineModel<double>& model);
-#endif
+const BoxKernel* makeAvx512Kernel(const MachineModel<double>& model);
 
 std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& model)
 {
   std::vector<std::unique_ptr<const BoxKernel>> kernels;
+#ifdef PKM_WORKSPACE_AVX512
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    kernels.emplace_back(makeAvx512Kernel(model));
+#endif
 #ifdef PKM_WORKSPACE_AVX2
   if (__builtin_cpu_supports("avx2"))
     kernels.emplace_back(makeAvx2Kernel(model));

@@ -48,6 +48,9 @@ public:
 
   bool misses(const Box& box, const Eigen::Vector3d& center, double size) const override
   {
+    const Eigen::Array3d core = 0.999 * size * halfExtents().array();  // nearly all parts reach into this
+    if ((box.lower.array() < center.array() + core).all() && (box.upper.array() > center.array() - core).all())
+      return false;
     const Box bounds = boundingBox(center, size);
     return (box.lower.array() > bounds.upper.array()).any() || (box.upper.array() < bounds.lower.array()).any();
   }

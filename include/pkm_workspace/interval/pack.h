@@ -26,6 +26,12 @@ struct LanesOf<4>
   typedef double Numbers __attribute__((vector_size(32)));
   typedef std::int64_t Masks __attribute__((vector_size(32)));
 };
+template <>
+struct LanesOf<8>
+{
+  typedef double Numbers __attribute__((vector_size(64)));
+  typedef std::int64_t Masks __attribute__((vector_size(64)));
+};
 
 /// One truth value a lane: all bits set, or none.
 template <int W>
@@ -108,6 +114,10 @@ inline Pack<W> abs(Pack<W> a)
 template <int W>
 inline Pack<W> sqrt(Pack<W> a)
 {
+#if defined(__AVX512F__)
+  if constexpr (W == 8)
+    return Pack<W>(_mm512_maskz_sqrt_pd(0xFF, a.lanes));  // g++ 12 warns of the plain one
+#endif
 #if defined(__AVX__)
   if constexpr (W == 4)
     return Pack<W>(_mm256_sqrt_pd(a.lanes));
