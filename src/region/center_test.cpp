@@ -55,7 +55,7 @@ bool CenterTest::combinationExcludes()
   return sum.upper() < 0.0;
 }
 
-/// @return whether the programme got a row that its optimum violates
+/// Adds a row for each matrix that is not semidefinite at the programme's optimum. @return whether there was one
 bool CenterTest::addCuts()
 {
   const auto& point = programme_.point();
@@ -64,12 +64,9 @@ bool CenterTest::addCuts()
   for (const NecessaryForms& necessary : necessary_)
     for (std::size_t m = 0; m < necessary.matrices; ++m)
     {
-      const double enough = room_ - WORTH_A_CUT;
-      if (isAbove(necessary.matrix[m], delta, enough))
+      if (isAbove(necessary.matrix[m], delta, -WORTH_A_CUT))
         continue;
       const auto pair = leastEigenvector(necessary.matrix[m], delta);
-      if (pair.value > enough)
-        continue;
       const AffineForm<double> form = quadraticForm(necessary.matrix[m], pair.vector);
       const double value = form.center + form.radius + form.gradient[0] * delta[0] + form.gradient[1] * delta[1] +
                            form.gradient[2] * delta[2];

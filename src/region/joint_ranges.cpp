@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 /// Steps of the projected gradient method; it converges geometrically, and a proof does not rest on it.
 constexpr int STEPS = 400;
+constexpr double SMALLEST_MOVE = 1e-14;  ///< relative to the size
 
 /// f = weight . (p - c) - height, where height = sqrt(L^2 - |q|^2) is a concave function of p (a sphere around the
 /// rail); weight is s e for the joint value times s, and 0 for the height alone. So f is convex: least somewhere
@@ -107,9 +108,10 @@ Interval minimum(const ConvexFunction& f, const Region& region, double step)
   for (int k = 0; k < STEPS; ++k)
   {
     const Vector3d next = shape.nearest(point - step * f.gradientAt(point), region.center, region.size);
-    if (next == point)
-      break;
+    const double move = (next - point).cwiseAbs().maxCoeff();
     point = next;
+    if (move <= SMALLEST_MOVE * region.size)
+      break;
   }
   point = nearestInside(shape, point, region.center, region.size).value_or(region.center);
   const ConvexFunction::Value value = f.at(enclose(point));
