@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/singularity.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <queue>
+#include <vector>
+
+#include "pkm_workspace/dexterity/workspace_bounds.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Eigen::Vector3d;
+using Form = AffineForm<double>;
+
+constexpr double INF = std::numeric_limits<double>::infinity();
+/// The measures: eta_i^2 for i = 0, 1, 2, then det A.
+constexpr std::size_t PARALLEL = 3;
+/// Size of the box around a singularity that is looked for, in struts.
+constexpr double FINE = 1e-6;
+/// Boxes between two looks at the clock.
+constexpr std::int64_t CLOCK = 256;
+
+Criterion criterionOf(const SingularityQuery& query)
+{
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.aspect = query.aspect;
+  criterion.joint_limits = query.joint_limits;
+  return criterion;
+}
+
+/// One look at a box as a whole.
+struct Look
+{
+  bool empty;    ///< no point of it counts
+  bool inside;   ///< every point counts, up to the sign of the measure
+  Form measure;  ///< [m^2] or [m^3]; valid where all struts reach
+
+  void ask(const Form& form, bool is_measure)
+  {
+    empty = empty || form.upper() < 0.0;
+    inside = inside && (is_measure || form.lower() >= 0.0);
+  }
+};
+
+/// The least value of one measure.
+class LeastMeasure
+{
+public:
+  LeastMeasure(const MachineModel<double>& model, const SingularityQuery& query, std::size_t measure)
+    : model_(model)
+    , query_(query)
+    , measure_(measure)
+    , two_sided_(measure == PARALLEL && !model.oriented())
+    , begin_(std::chrono::steady_clock::now())
+  {}
+
+  SingularityAnswer run(const Box& root)
+  {
+    if (root.isValid())
+      visit({ root, 0.0, 0 });
+    while (!answer_.box && !open_.empty() && !(open_.top().bound >= least_seen_ * (1.0 - query_.accuracy)))
+    {
+      const Node node = open_.top();
+      const int axis = node.box.widestAxis();
+      if (!node.box.canBisect(axis) || isOver())
+        break;
+      open_.pop();
+      const auto halves = node.box.bisect(axis);
+      visit({ halves.first, node.bound, 0 });
+      visit({ halves.second, node.bound, 0 });
+    }
+    conclude();
+    return answer_;
+  }
+
+private:
+  struct Node
+  {
+    Box box;
+    double bound;        ///< of the measure from below
+    std::int64_t order;  ///< of those with the same bound the oldest first, which is the largest
+
+    bool operator<(const Node& other) const { return bound != other.bound ? bound > other.bound : order > other.order; }
+  };
+
+  bool isOver() const
+  {
+    if (query_.budget.max_boxes > 0 && answer_.boxes >= query_.budget.max_boxes)
+      return true;
+    return answer_.boxes % CLOCK < 2 &&
+           query_.budget.isOver(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+  }
+
+  Look look(const Box& box) const
+  {
+    const CenteredBox<double> centered(box);
+    const MachineForms<double> forms = model_.evaluate(centered);
+    const BoxVerdict part = query_.part ? query_.part(box) : BoxVerdict::INSIDE;
+    Look look{ part == BoxVerdict::OUTSIDE, part == BoxVerdict::INSIDE,
+               measure_ == PARALLEL ? model_.orientation(forms) : forms.radicand[measure_] };
+    for (std::size_t leg = 0; leg < 3; ++leg)
+    {
+      look.ask(forms.radicand[leg], leg == measure_);
+      for (const int side : { 0, 1 })
+        if (model_.limited(leg, side))
+          look.ask(model_.limitMargin(leg, side, forms, centered), false);
+    }
+    if (model_.oriented())
+      look.ask(model_.orientation(forms), measure_ == PARALLEL);
+    return look;
+  }
+
+  void visit(Node node)
+  {
+    const Look seen = look(node.box);
+    node.order = ++answer_.boxes;
+    if (seen.empty)
+      return;
+    node.bound =
+        std::max(node.bound, two_sided_ ? std::max(seen.measure.lower(), -seen.measure.upper()) : seen.measure.lower());
+    if (node.bound > least_seen_)
+      return;
+    const auto corners = endsAlong(node.box, seen.measure);
+    tryPoint(node.box.center());
+    tryPoint(two_sided_ && seen.measure.center < 0.0 ? corners.second : corners.first);
+    if (seen.inside && node.bound <= 0.0)
+      answer_.box = crossing(corners);
+    open_.push(node);
+  }
+
+  /// The corners of the box at which the linear part of the form is least and largest.
+  static std::pair<Vector3d, Vector3d> endsAlong(const Box& box, const Form& form)
+  {
+    std::pair<Vector3d, Vector3d> ends(box.lower, box.upper);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (form.gradient[axis] < 0.0)
+        std::swap(ends.first[static_cast<int>(axis)], ends.second[static_cast<int>(axis)]);
+    return ends;
+  }
+
+  /// Bounds the least value from above by a point that is proved to count.
+  void tryPoint(const Vector3d& point)
+  {
+    const Look seen = look({ point, point });
+    if (!seen.inside || seen.empty)
+      return;
+    const double upper = two_sided_ ? std::max(seen.measure.upper(), -seen.measure.lower()) : seen.measure.upper();
+    if (two_sided_ || seen.measure.lower() >= 0.0)
+      least_seen_ = std::min(least_seen_, upper);
+  }
+
+  /// A small box around a zero of the measure between the two points, where its signs there prove one.
+  /// @pre a box around both is inside
+  std::optional<Box> crossing(const std::pair<Vector3d, Vector3d>& ends) const
+  {
+    Vector3d low = ends.first;
+    Vector3d high = ends.second;
+    const auto at = [this](const Vector3d& point) { return look({ point, point }).measure; };
+    if (!(at(low).upper() <= 0.0 && at(high).lower() >= 0.0))
+      return std::nullopt;
+    while ((high - low).squaredNorm() > FINE * FINE * model_.squaredScale())
+    {
+      const Vector3d middle = 0.5 * low + 0.5 * high;
+      const Form value = at(middle);
+      if (value.upper() <= 0.0)
+        low = middle;
+      else if (value.lower() >= 0.0)
+        high = middle;
+      else
+        break;
+    }
+    return Box{ low.cwiseMin(high), low.cwiseMax(high) };
+  }
+
+  void conclude()
+  {
+    using Status = SingularityAnswer::Status;
+    const double bound = open_.empty() ? least_seen_ : std::min(open_.top().bound, least_seen_);
+    answer_.status = answer_.box ? Status::PROVED : bound > 0.0 ? Status::NONE : Status::UNDECIDED;
+    answer_.least = answer_.box ? Interval(0.0) : bound < INF ? Interval(bound, least_seen_) : Interval::empty();
+    if (measure_ != PARALLEL && !answer_.least.isEmpty())
+      answer_.least =
+          least_seen_ < INF || answer_.box ? sqrt(answer_.least) : Interval(sqrt(Interval(bound)).lower(), INF);
+  }
+
+  const MachineModel<double>& model_;
+  const SingularityQuery& query_;
+  const std::size_t measure_;
+  const bool two_sided_;
+  const std::chrono::steady_clock::time_point begin_;
+  std::priority_queue<Node> open_;
+  double least_seen_ = INF;
+  SingularityAnswer answer_;
+};
+}  // namespace
+
+void SingularityQuery::validate(Problems& problems) const
+{
+  validatePositive("accuracy", accuracy, "(relative)", problems);
+  budget.validate(problems);
+  if (box)
+    validateBox("box", *box, problems);
+}
+
+Singularities findSingularities(const Machine& machine, const SingularityQuery& query)
+{
+  validated(query);
+  const auto begin = std::chrono::steady_clock::now();
+  const Criterion criterion = criterionOf(query);
+  const MachineModel<double> model(machine, criterion);
+  const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
+  Singularities result;
+  ThreadPool pool(query.budget.threads);
+  pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
+    SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
+    answer = LeastMeasure(model, query, measure).run(root);
+  });
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+}  // namespace pkm_workspace
