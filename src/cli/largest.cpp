@@ -100,7 +100,7 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.choice("shape", shape_, shapeNames(), "what to look for; a square lies in the plane xy");
+    options.choice("shape", shape_, shapeNames(), "what to look for; a square and a disc lie in the plane xy");
     options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
                    "of a box: its sides are size A, size B and size C, in metres");
     declareCriterion(options, query_.criterion);

@@ -4,8 +4,7 @@
 // The kernel for packs of W doubles. Nothing here may be instantiated but on packs: this file is compiled for several
 // instruction sets, and the linker keeps one copy of whatever has the same name.
 
-#include "pkm_workspace/dexterity/box_kernel.h"
-#include "pkm_workspace/interval/pack.h"
+#include "pack_gather.h"
 
 namespace pkm_workspace
 {
@@ -22,6 +21,15 @@ class PackKernel : public BoxKernel
     Mask outside;
   };
 
+  /// What is asked of boxes besides their verdicts.
+  struct Question
+  {
+    bool wants_worst = false;
+    bool is_limited = false;   ///< only points where the slack is not negative count for INSIDE
+    AffineForm<Real> slack{};  ///< offset - normal . p of the half-space
+    AffineForm<Real> worst{};  ///< the answer: the lowest form v^T S v
+  };
+
 public:
   explicit PackKernel(const MachineModel<double>& model) : model_(model)
   {
@@ -33,7 +41,8 @@ public:
 
   std::size_t width() const override { return W; }
 
-  void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst) const override
+  void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst,
+                const HalfSpace* within) const override
   {
     for (std::size_t first = 0; first < count; first += W)
     {
@@ -45,8 +54,13 @@ public:
           lower[k][lane] = box.lower.data()[k];
           upper[k][lane] = box.upper.data()[k];
         }
-      AffineForm<Real> form;
-      const Verdicts found = look(CenteredBox<Real>(pointOf(lower), pointOf(upper)), worst ? &form : nullptr);
+      const CenteredBox<Real> box(pointOf<W>(lower), pointOf<W>(upper));
+      Question question;
+      if (within)
+        question.slack = slackOf<W>(within + first, count - first, box);
+      question.is_limited = within != nullptr;
+      question.wants_worst = worst != nullptr;
+      const Verdicts found = look(box, question);
       for (int lane = 0; lane < W && first + static_cast<std::size_t>(lane) < count; ++lane)
       {
         const std::size_t k = first + static_cast<std::size_t>(lane);
@@ -54,7 +68,7 @@ public:
                       : found.inside[lane] ? BoxVerdict::INSIDE
                                            : BoxVerdict::UNDECIDED;
         if (worst)
-          worst[k] = laneOf(form, lane);
+          worst[k] = laneOf(question.worst, lane);
       }
     }
   }
@@ -70,7 +84,7 @@ public:
     }
     box.slack = Real(centers.slack);
     for (std::size_t first = 0; first < count; first += W)
-      collect(box.moved(Real(size), gather(offsets + first, count - first)), results + first, count - first);
+      collect(box.moved(Real(size), gather<W>(offsets + first, count - first)), results + first, count - first);
   }
 
   void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
@@ -78,7 +92,7 @@ public:
   {
     for (std::size_t first = 0; first < count; first += W)
     {
-      Point p = gather(offsets + first, count - first);
+      Point p = gather<W>(offsets + first, count - first);
       for (std::size_t k = 0; k < 3; ++k)
         p[k] = Real(center.data()[k]) + Real(size) * p[k];
       const Real margin = model_.margin(p);
@@ -88,71 +102,87 @@ public:
   }
 
 private:
-  static Point pointOf(const double (&coordinates)[3][W])
-  {
-    return { Real::load(coordinates[0]), Real::load(coordinates[1]), Real::load(coordinates[2]) };
-  }
-
-  /// Vectors side by side; lanes beyond the last repeat it.
-  static Point gather(const Eigen::Vector3d* vectors, std::size_t count)
-  {
-    double coordinates[3][W];
-    for (std::size_t lane = 0; lane < W; ++lane)
-      for (std::size_t k = 0; k < 3; ++k)
-        coordinates[k][lane] = vectors[lane < count ? lane : count - 1].data()[k];
-    return pointOf(coordinates);
-  }
-
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
-  /// The verdicts on W boxes (design, section 3, items 1 and 2), and, if asked for, the form v^T S v that is lowest.
-  Verdicts look(const CenteredBox<Real>& box, AffineForm<Real>* worst) const
+  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the rest of the answer to the question.
+  Verdicts look(const CenteredBox<Real>& box, Question& question) const
   {
     const MachineForms<Real> forms = model_.evaluate(box);
+    const bool dextrous = model_.criterion().set == Criterion::Set::DEXTROUS;
     Verdicts verdicts{ everywhere(), !everywhere() };
     for (std::size_t i = 0; i < 3; ++i)
     {
       verdicts.outside = verdicts.outside | (forms.radicand[i].upper() < model_.floor(i));
-      verdicts.inside = verdicts.inside & (forms.radicand[i].lower() > model_.floor(i));
+      if (!dextrous)  // otherwise implied by the diagonal of S_max
+        require(forms.radicand[i], question, verdicts);
     }
     for (std::size_t leg = 0; leg < 3; ++leg)
       for (int side = 0; side < 2; ++side)
         if (model_.limited(leg, side))
-          require(model_.limitMargin(leg, side, forms, box), verdicts);
+          require(model_.limitMargin(leg, side, forms, box), question, verdicts);
     if (!any(!verdicts.outside))
       return verdicts;
-    if (model_.criterion().set == Criterion::Set::DEXTROUS)
-      lookAtFactors(forms, verdicts, worst);
+    if (dextrous)
+      lookAtFactors(forms, question, verdicts);
     else if (model_.oriented())
-      require(model_.orientation(forms), verdicts);
+      require(model_.orientation(forms), question, verdicts);
     return verdicts;
   }
 
-  static void require(const AffineForm<Real>& form, Verdicts& verdicts)
+  static void require(const AffineForm<Real>& form, const Question& question, Verdicts& verdicts)
   {
     verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
-    verdicts.inside = verdicts.inside & (form.lower() > Real(0.0));
+    Mask holds = form.lower() > Real(0.0);
+    if (question.is_limited)
+      holds = holds | (lowered(form, multiplier(form, question.slack), question.slack).lower() > Real(0.0));
+    verdicts.inside = verdicts.inside & holds;
   }
 
-  void lookAtFactors(const MachineForms<Real>& forms, Verdicts& verdicts, AffineForm<Real>* worst) const
+  void lookAtFactors(const MachineForms<Real>& forms, Question& question, Verdicts& verdicts) const
   {
     for (const bool upper : { true, false })
     {
       const SymmetricForms<Real> matrix = upper ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
-      const Mask definite = worst || any(verdicts.inside) ? isPositiveDefinite(matrix) : !everywhere();
-      verdicts.inside = verdicts.inside & definite;
+      const bool counts = question.wants_worst || any(verdicts.inside);
+      Mask definite = counts ? isPositiveDefinite(matrix) : !everywhere();
       // a vector with v^T S v < 0 exists only where S is not definite at the center
       const Mask open = !(definite | verdicts.outside);
-      if (!any(worst ? open : open & !isDefiniteAtCenter(matrix)))
-        continue;
-      const AffineForm<Real> form = quadraticForm(matrix, leastEigenvector(matrix).vector);
-      verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
-      if (worst)
-        *worst = select((!definite) & (form.lower() < worst->lower()), form, *worst);
+      if (any(question.wants_worst ? open : open & !isDefiniteAtCenter(matrix)))
+        definite = definite | lookAtVector(matrix, definite, question, verdicts);
+      verdicts.inside = verdicts.inside & definite;
     }
-    if (!model_.oriented() || !any(!verdicts.outside))
-      return;
-    // Where S_min is definite det A has no zero: one point settles its sign.
+    if (model_.oriented() && !question.is_limited && any(!verdicts.outside))
+      lookAtAspect(forms, verdicts);
+  }
+
+  /// Tries the vector of the least eigenvalue. @return where the matrix is definite on the half-space
+  static Mask lookAtVector(const SymmetricForms<Real>& matrix, Mask definite, Question& question, Verdicts& verdicts)
+  {
+    const Point v = leastEigenvector(matrix).vector;
+    AffineForm<Real> form = quadraticForm(matrix, v);
+    verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
+    Mask holds = !everywhere();
+    if (question.is_limited)
+    {
+      // S - y slack v v^T definite on the box: S is, where the slack is not negative
+      const Real y = multiplier(form, question.slack);
+      SymmetricForms<Real> less = matrix;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        less[k] = lowered(less[k], y * v[k] * v[k], question.slack);
+        less[3 + k] = lowered(less[3 + k], y * v[(k + 1) % 3] * v[(k + 2) % 3], question.slack);
+      }
+      holds = isPositiveDefinite(less);
+      form = quadraticForm(less, v);
+    }
+    if (question.wants_worst)
+      question.worst = select((!(definite | holds)) & (form.lower() < question.worst.lower()), form, question.worst);
+    return holds;
+  }
+
+  /// Where S_min is definite det A has no zero: one point settles its sign.
+  void lookAtAspect(const MachineForms<Real>& forms, Verdicts& verdicts) const
+  {
     const Enclosed<Real> center = model_.orientationAtCenter(forms);
     const Mask wrong = center.upper() < Real(0.0);
     verdicts.outside = verdicts.outside | (verdicts.inside & wrong);
@@ -207,15 +237,6 @@ private:
     return { form.center * factor,
              { form.gradient[0] * factor, form.gradient[1] * factor, form.gradient[2] * factor },
              form.radius * factor };
-  }
-
-  static AffineForm<Real> select(Mask mask, const AffineForm<Real>& a, const AffineForm<Real>& b)
-  {
-    using pkm_workspace::select;
-    return { select(mask, a.center, b.center),
-             { select(mask, a.gradient[0], b.gradient[0]), select(mask, a.gradient[1], b.gradient[1]),
-               select(mask, a.gradient[2], b.gradient[2]) },
-             select(mask, a.radius, b.radius) };
   }
 
   static AffineForm<double> laneOf(const AffineForm<Real>& form, int lane)

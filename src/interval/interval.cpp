@@ -210,6 +210,11 @@ Interval cos(double angle)
   return enclose(mpfr_cos, angle);
 }
 
+Interval pi()
+{
+  return { 0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1 };
+}
+
 Interval hull(const Interval& x, const Interval& y)
 {
   if (x.isEmpty() || y.isEmpty())

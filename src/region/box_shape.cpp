@@ -41,10 +41,8 @@ public:
     return corners;
   }
 
-  Box boundingBox(const Eigen::Vector3d& center, double size) const override
-  {
-    return pkm_workspace::boundingBox({ sides(center, size, 0), sides(center, size, 1), sides(center, size, 2) });
-  }
+  bool isPolytope() const override { return true; }
+  HalfSpace halfSpace(const Box&, const Eigen::Vector3d&, double) const override { return {}; }
 
   bool misses(const Box& box, const Eigen::Vector3d& center, double size) const override
   {
@@ -100,6 +98,14 @@ public:
     return std::copysign(1.0, offset[axis]) * Eigen::Vector3d::Unit(axis);
   }
 
+  Interval support(const IntervalVector& n) const override
+  {
+    Interval sum(0.0);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += abs(n[k]) * Interval(0.5 * proportions_[static_cast<int>(k)]);
+    return sum;
+  }
+
   double support(const Eigen::Vector3d& n) const override { return n.cwiseAbs().dot(halfExtents()); }
 
   Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const override
@@ -134,12 +140,6 @@ private:
   }
 
   Interval half(double size, int axis) const { return Interval(size) * Interval(0.5 * proportions_[axis]); }
-  /// Encloses every coordinate that the region takes along the axis.
-  Interval sides(const Eigen::Vector3d& center, double size, int axis) const
-  {
-    const Interval reach = half(size, axis);
-    return hull(Interval(center[axis]) - reach, Interval(center[axis]) + reach);
-  }
 
   std::string name_;
   std::string size_meaning_;

@@ -64,7 +64,7 @@ public:
 
   ContainmentResult run(std::int64_t max_boxes, const std::atomic<bool>* stop)
   {
-    if (refuteAtExtremes())
+    if (refuteAtExtremes() || !aspectIsRight())
       return result_;
     divideAtCenter(shape_.boundingBox(center_, size_));
     while (!open_.empty())
@@ -91,9 +91,13 @@ private:
         }
   }
 
+  /// Looks within half-spaces leave the aspect open; the region is connected, so that its center settles it.
+  bool aspectIsRight() const { return shape_.isPolytope() || test_.classify(center_) == BoxVerdict::INSIDE; }
+
   bool refuteAtExtremes()
   {
-    const std::vector<Eigen::Vector3d> extremes = shape_.extremePoints();
+    std::vector<Eigen::Vector3d> extremes = shape_.extremePoints();
+    extremes.push_back(Eigen::Vector3d::Zero());
     std::vector<double> margins(extremes.size());
     test_.kernel().margins(center_, size_, extremes.data(), extremes.size(), margins.data());
     const auto worst = std::min_element(margins.begin(), margins.end());
@@ -110,7 +114,12 @@ private:
         parts[count++] = open_.back();
     std::array<BoxVerdict, BATCH> verdicts;
     std::array<AffineForm<double>, BATCH> worst;
-    test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data());
+    std::array<HalfSpace, BATCH> within;
+    if (!shape_.isPolytope())
+      std::transform(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count), within.begin(),
+                     [&](const Box& part) { return shape_.halfSpace(part, center_, size_); });
+    test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data(),
+                            shape_.isPolytope() ? nullptr : within.data());
     result_.boxes += static_cast<std::int64_t>(count);
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))
@@ -127,7 +136,7 @@ private:
     std::size_t undecided = 0;
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] != BoxVerdict::INSIDE)
-        centers[undecided++] = parts[k].center();
+        centers[undecided++] = shape_.nearest(parts[k].center(), center_, size_);
     if (undecided == 0)
       return false;
     test_.kernel().margins(Eigen::Vector3d::Zero(), 1.0, centers.data(), undecided, margins.data());

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <queue>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/affine_vector.h"
+#include "pkm_workspace/interval/half_space.h"
 
 namespace pkm_workspace
 {
@@ -15,6 +19,10 @@ using Eigen::Vector3d;
 /// Steps of the projected gradient method; it converges geometrically, and a proof does not rest on it.
 constexpr int STEPS = 400;
 constexpr double SMALLEST_MOVE = 1e-14;  ///< relative to the size
+
+/// Where the search for the largest value over a round region ends: parts, and a gap relative to the size.
+constexpr int PARTS = 20000;
+constexpr double GAP = 1e-9;
 
 /// f = weight . (p - c) - height, where height = sqrt(L^2 - |q|^2) is a concave function of p (a sphere around the
 /// rail); weight is s e for the joint value times s, and 0 for the height alone. So f is convex: least somewhere
@@ -53,6 +61,17 @@ public:
     return { dot(weight_, offset) - height, weight_ + (Interval(1.0) / height) * across };
   }
 
+  /// Encloses the value over a box, wherever the strut reaches.
+  AffineForm<double> over(const CenteredBox<double>& box) const
+  {
+    AffineVector<double> across, along;
+    mapBox(EnclosedMatrix<double>(projector_), EnclosedVector<double>(center_), box, across);
+    mapBox(EnclosedMatrix<double>({ weight_, IntervalVector{}, IntervalVector{} }), EnclosedVector<double>(center_),
+           box, along);
+    const AffineForm<double> radicand = -squaredNorm(across) + Enclosed<double>(sqr(length_));
+    return component(along, 0) - sqrtAbove(radicand, 0.0);
+  }
+
   /// In floating point.
   Vector3d gradientAt(const Vector3d& p) const
   {
@@ -87,8 +106,8 @@ struct Region
   IntervalVector vertex(const Vector3d& k) const { return enclose(center) + Interval(size) * enclose(k); }
 };
 
-/// Encloses the largest value: a convex function takes it at a vertex.
-Interval maximum(const ConvexFunction& f, const Region& region)
+/// Encloses the largest value over a polytope: a convex function takes it at a vertex.
+Interval maximumAtVertices(const ConvexFunction& f, const Region& region)
 {
   Interval largest = f.at(enclose(region.center)).value;
   for (const Vector3d& k : region.shape.extremePoints())
@@ -97,6 +116,66 @@ Interval maximum(const ConvexFunction& f, const Region& region)
     largest = Interval(std::max(largest.lower(), value.lower()), std::max(largest.upper(), value.upper()));
   }
   return largest;
+}
+
+/// Encloses the largest value over any region, by bisection of its bounding box, highest upper bound first.
+class Maximum
+{
+public:
+  Maximum(const ConvexFunction& f, const Region& region)
+    : f_(f), region_(region), least_(f.at(enclose(region.center)).value.lower())
+  {}
+
+  Interval run()
+  {
+    for (const Box& box : region_.shape.extremeBoxes(region_.center, region_.size))
+      look(box);
+    const double enough = GAP * region_.size;
+    for (int part = 0; part < PARTS && !open_.empty() && open_.top().bound > least_ + enough; ++part)
+    {
+      const Box box = open_.top().box;
+      const int axis = box.widestAxis();
+      if (!box.canBisect(axis))
+        break;
+      open_.pop();
+      const auto halves = box.bisect(axis);
+      look(halves.first);
+      look(halves.second);
+    }
+    return { least_, open_.empty() ? least_ : std::max(least_, open_.top().bound) };
+  }
+
+private:
+  struct Part
+  {
+    Box box;
+    double bound;
+    bool operator<(const Part& other) const { return bound < other.bound; }
+  };
+
+  void look(const Box& box)
+  {
+    const Shape& shape = region_.shape;
+    if (shape.misses(box, region_.center, region_.size))
+      return;
+    const auto point = nearestInside(shape, box.center(), region_.center, region_.size);
+    if (point)
+      least_ = std::max(least_, f_.at(enclose(*point)).value.lower());
+    const CenteredBox<double> centered(box);
+    const AffineForm<double> negative = -f_.over(centered);
+    const AffineForm<double> slack = slackOf(shape.halfSpace(box, region_.center, region_.size), centered);
+    open_.push({ box, -lowered(negative, multiplier(negative, slack), slack).lower() });
+  }
+
+  const ConvexFunction& f_;
+  const Region& region_;
+  double least_;
+  std::priority_queue<Part> open_;
+};
+
+Interval maximum(const ConvexFunction& f, const Region& region)
+{
+  return region.shape.isPolytope() ? maximumAtVertices(f, region) : Maximum(f, region).run();
 }
 
 /// Encloses the least value: it is attained nearly at the point that the descent ends at, and a convex function lies
@@ -115,8 +194,9 @@ Interval minimum(const ConvexFunction& f, const Region& region, double step)
   }
   point = nearestInside(shape, point, region.center, region.size).value_or(region.center);
   const ConvexFunction::Value value = f.at(enclose(point));
-  const IntervalVector reach = enclose(shape.boundingBox(region.center, region.size)) - enclose(point);
-  const Interval tangent = value.value + dot(value.gradient, reach);
+  const IntervalVector& g = value.gradient;
+  const Interval to_center = dot(g, enclose(region.center) - enclose(point));
+  const Interval tangent = value.value + to_center - Interval(region.size) * shape.support({ -g[0], -g[1], -g[2] });
   return Interval(std::min(tangent.lower(), value.value.lower()), value.value.upper());
 }
 

@@ -10,17 +10,27 @@ namespace pkm_workspace
 {
 namespace
 {
+using Proportions = std::optional<Eigen::Vector3d>;
+
 struct NamedShape
 {
   const char* name;
-  bool has_proportions;
-  ShapePtr (*make)(const Eigen::Vector3d& proportions);
+  ShapePtr (*make)(const Proportions& proportions);
 };
 
+ShapePtr makeBoxFrom(const Proportions& proportions)
+{
+  if (!proportions)
+    throw std::invalid_argument("shape = box needs proportions: what it measures along x, y and z");
+  return makeBox(*proportions);
+}
+
 const NamedShape SHAPES[] = {
-  { "cube", false, [](const Eigen::Vector3d&) { return makeCube(); } },
-  { "square", false, [](const Eigen::Vector3d&) { return makeSquare(); } },
-  { "box", true, [](const Eigen::Vector3d& proportions) { return makeBox(proportions); } },
+  { "cube", [](const Proportions&) { return makeCube(); } },
+  { "square", [](const Proportions&) { return makeSquare(); } },
+  { "box", makeBoxFrom },
+  { "sphere", [](const Proportions&) { return makeSphere(); } },
+  { "disc", [](const Proportions&) { return makeDisc(); } },
 };
 
 std::string listOfNames()
@@ -40,16 +50,14 @@ std::vector<std::string> shapeNames()
   return names;
 }
 
-ShapePtr makeShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions)
+ShapePtr makeShape(const std::string& name, const Proportions& proportions)
 {
   const auto* const named =
       std::find_if(std::begin(SHAPES), std::end(SHAPES), [&](const NamedShape& s) { return s.name == name; });
   if (named == std::end(SHAPES))
     throw std::invalid_argument("shape = '" + name + "' must be " + listOfNames());
-  if (named->has_proportions && !proportions)
-    throw std::invalid_argument("shape = " + name + " needs proportions: what it measures along x, y and z");
-  ShapePtr shape = named->make(proportions.value_or(Eigen::Vector3d::Ones()));
-  if (!named->has_proportions && proportions && *proportions != 2.0 * shape->halfExtents())
+  ShapePtr shape = named->make(proportions);
+  if (proportions && *proportions != 2.0 * shape->halfExtents())  // those that it has anyway are let pass
   {
     const Eigen::IOFormat tuple(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     std::ostringstream text;
@@ -57,6 +65,17 @@ ShapePtr makeShape(const std::string& name, const std::optional<Eigen::Vector3d>
     throw std::invalid_argument(text.str());
   }
   return shape;
+}
+
+Box Shape::boundingBox(const Eigen::Vector3d& center, double size) const
+{
+  IntervalVector sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Interval reach = Interval(size) * Interval(halfExtents()[axis]);
+    sides[static_cast<std::size_t>(axis)] = hull(Interval(center[axis]) - reach, Interval(center[axis]) + reach);
+  }
+  return pkm_workspace::boundingBox(sides);
 }
 
 std::optional<Eigen::Vector3d> nearestInside(const Shape& shape, const Eigen::Vector3d& point,

@@ -101,6 +101,13 @@ std::uint8_t constantOf(LargestRegion::Status status)
   throw std::logic_error("a status without a constant in Region.msg");
 }
 
+std::uint8_t solidType(const Shape& shape)
+{
+  if (shape.isPolytope())
+    return shape_msgs::SolidPrimitive::BOX;
+  return shape.dimensions(1.0).size() == 1 ? shape_msgs::SolidPrimitive::SPHERE : shape_msgs::SolidPrimitive::CYLINDER;
+}
+
 void describeRegion(const LargestRegion& region, const Shape& shape, Region& message)
 {
   const Eigen::Vector3d proportions = proportionsOf(shape);
@@ -108,7 +115,7 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
   message.proportions.x = proportions.x();
   message.proportions.y = proportions.y();
   message.proportions.z = proportions.z();
-  message.solid.type = shape_msgs::SolidPrimitive::BOX;
+  message.solid.type = solidType(shape);
   message.solid.dimensions = shape.dimensions(region.size);
   message.center = toMessage(region.center);
   message.size = region.size;

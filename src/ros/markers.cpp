@@ -116,7 +116,47 @@ void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene
           edges.points.push_back(toMessage(corner(center, sides, end)));
 }
 
-void addRegion(const Region& region, Scene& scene)
+/// A point at an angle on a circle of that radius across one axis.
+Eigen::Vector3d onCircle(const Eigen::Vector3d& center, double radius, int axis, int step)
+{
+  constexpr int STEPS = 72;
+  const double angle = 2.0 * M_PI * step / STEPS;
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  offset[(axis + 1) % 3] = radius * std::cos(angle);
+  offset[(axis + 2) % 3] = radius * std::sin(angle);
+  return center + offset;
+}
+
+void addCircle(const Eigen::Vector3d& center, double radius, int axis, Scene& scene)
+{
+  Marker& circle = scene.add("region", Marker::LINE_STRIP, REGION_EDGES);
+  circle.scale.x = 6.0 * scene.unit();
+  for (int step = 0; step <= 72; ++step)
+    circle.points.push_back(toMessage(onCircle(center, radius, axis, step)));
+}
+
+/// A ball with its great circles along the axes.
+void addSphere(const Eigen::Vector3d& center, double radius, Scene& scene)
+{
+  Marker& ball = scene.add("region", Marker::SPHERE, REGION_FACES);
+  ball.pose.position = toMessage(center);
+  ball.scale.x = ball.scale.y = ball.scale.z = 2.0 * radius;
+  for (int axis = 0; axis < 3; ++axis)
+    addCircle(center, radius, axis, scene);
+}
+
+/// Triangles seen from both sides, as for a square.
+void addDisc(const Eigen::Vector3d& center, double radius, Scene& scene)
+{
+  Marker& faces = scene.add("region", Marker::TRIANGLE_LIST, REGION_FACES);
+  for (int step = 0; step < 72; ++step)
+    for (const Eigen::Vector3d& point :
+         { center, onCircle(center, radius, 2, step), onCircle(center, radius, 2, step + 1) })
+      faces.points.push_back(toMessage(point));
+  addCircle(center, radius, 2, scene);
+}
+
+void addBox(const Region& region, Scene& scene)
 {
   const Eigen::Vector3d center = fromMessage(region.center);
   const Eigen::Vector3d sides = sidesOf(region);
@@ -132,6 +172,22 @@ void addRegion(const Region& region, Scene& scene)
   const bool solid = sides.z() > 0.0;
   const double distance = (solid ? 100.0 : -80.0) * scene.unit();
   scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text.str());
+}
+
+void addRegion(const Region& region, Scene& scene)
+{
+  if (region.solid.type == shape_msgs::SolidPrimitive::BOX)
+    return addBox(region, scene);
+  const Eigen::Vector3d center = fromMessage(region.center);
+  const double radius = region.solid.dimensions.back();
+  const bool is_sphere = region.solid.type == shape_msgs::SolidPrimitive::SPHERE;
+  is_sphere ? addSphere(center, radius, scene) : addDisc(center, radius, scene);
+  std::ostringstream text;
+  text.precision(5);
+  text << region.shape << " of radius " << radius << " m";
+  const double distance = (is_sphere ? radius : -radius) + (is_sphere ? 100.0 : -80.0) * scene.unit();
+  scene.addText("region", center + distance * (is_sphere ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY()),
+                text.str());
 }
 
 /// One list for each size, because a list has one scale. Flat boxes (their set does not change along the rails, and the

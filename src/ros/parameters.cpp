@@ -106,7 +106,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
 {
   RegionQuery& query = parameters.query;
   return {
-    { "shape", entry(names.shape, "a text: cube, square or box") },
+    { "shape", entry(names.shape, "a text: cube, square, box, sphere or disc") },
     { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
     { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
     { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },

@@ -42,7 +42,7 @@ class Help(CommandTest):
                              ("--psi-max NUMBER", "> 0, without unit [default 2]"),
                              ("--accuracy NUMBER", "> 0 m [default 0.001 m]"),
                              ("--joint-limits on|off", "[default off]"),
-                             ("--shape cube|square|box", "[default cube]"),
+                             ("--shape cube|square|box|sphere|disc", "[default cube]"),
                              ("--threads COUNT", "from 1 to 1024 [default "),
                              ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),
                              ("--time-limit NUMBER", "> 0 s"),

@@ -41,7 +41,7 @@ REFUSALS = [
     (LARGEST + "--accuracy 0", "--accuracy 0: 0 is out of range; allowed: > 0 m"),
     (LARGEST + "--accuracy 1e-400", "--accuracy 1e-400: 1e-400 is not a finite number that fits a double"),
     (LARGEST + "--joint-limits yes", "--joint-limits yes: 'yes' is not known; allowed: on, off"),
-    (LARGEST + "--shape egg", "--shape egg: 'egg' is not known; allowed: cube, square, box"),
+    (LARGEST + "--shape egg", "--shape egg: 'egg' is not known; allowed: cube, square, box, sphere, disc"),
     (LARGEST + "--shape box", "--shape box: shape = box needs proportions"),
     (LARGEST + "--proportions 1 2 3", r"--proportions 1 2 3: proportions = \(1, 2, 3\) are for the shape box only"),
     (LARGEST + "--shape box --proportions 1 2", r"--proportions 1 2: needs 3 values \(A B C\), got 2"),

@@ -24,6 +24,7 @@ Region regionWithSides(double x, double y, double z)
   region.header.stamp = ros::Time(100.0);
   region.shape = Region::BOX;
   region.size = 1.0;
+  region.solid.type = shape_msgs::SolidPrimitive::BOX;
   region.solid.dimensions = { x, y, z };
   RailRange range;
   range.joint = "rail_x";

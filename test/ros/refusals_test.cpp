@@ -32,7 +32,8 @@ class Refusals : public testing::TestWithParam<BadRequest>
 };
 
 const BadRequest BAD_REQUESTS[] = {
-  { "shape of another name", [](auto& q) { q.shape = "blob"; }, "shape = 'blob' must be cube, square or box" },
+  { "shape of another name", [](auto& q) { q.shape = "blob"; },
+    "shape = 'blob' must be cube, square, box, sphere or disc" },
   { "proportions of a cube", [](auto& q) { q.proportions.x = 2.0; }, "proportions = \\(2, 0, 0\\).* box only.* cube" },
   { "negative proportion",
     [](auto& q) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/interval/half_space.h"
 
 namespace pkm_workspace
 {
@@ -41,8 +42,10 @@ public:
   virtual std::size_t width() const = 0;
   /// One look at each box as a whole, without subdivision.
   /// @param worst for boxes that stay undecided the form v^T S v that stands in the way, or one that is 0; or nullptr
-  virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts,
-                        AffineForm<double>* worst = nullptr) const = 0;
+  /// @param within one for each box, or nullptr: INSIDE is then said of the points that lie in both, and, for the set
+  /// DEXTROUS, of all but the aspect: one point of a connected region settles that
+  virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst = nullptr,
+                        const HalfSpace* within = nullptr) const = 0;
   /// The necessary forms at the centers' box, moved by size * offset for each offset.
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                               std::size_t count, NecessaryForms* results) const = 0;

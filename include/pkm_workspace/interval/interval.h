@@ -90,6 +90,9 @@ Interval abs(const Interval& x);
 Interval sin(double angle);
 Interval cos(double angle);
 
+/// The two doubles that pi lies between.
+Interval pi();
+
 /// The smallest interval that holds both.
 Interval hull(const Interval& x, const Interval& y);
 /// What both hold; may be empty.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/dexterity/box_kernel.h"
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/box.h"
 
@@ -27,8 +28,18 @@ public:
   virtual Eigen::Vector3d halfExtents() const = 0;
   /// Points of K, exactly in K, at which a region that is too large sticks out first.
   virtual std::vector<Eigen::Vector3d> extremePoints() const = 0;
-  /// A smallest box of doubles that contains c + h K.
-  virtual Box boundingBox(const Eigen::Vector3d& center, double size) const = 0;
+  /// Whether K is the convex hull of these.
+  virtual bool isPolytope() const = 0;
+  /// The smallest box of doubles that contains c + h K, whose half extents are doubles.
+  Box boundingBox(const Eigen::Vector3d& center, double size) const;
+  /// Boxes that contain all extreme points of c + h K: where a convex function is largest.
+  virtual std::vector<Box> extremeBoxes(const Eigen::Vector3d& center, double size) const
+  {
+    return { boundingBox(center, size) };
+  }
+  /// A half-space that contains c + h K and cuts off as much of a part of its bounding box as it can; all points where
+  /// K is that box.
+  virtual HalfSpace halfSpace(const Box& part, const Eigen::Vector3d& center, double size) const = 0;
   /// Whether no point of the box lies in c + h K; false when that is not proved.
   virtual bool misses(const Box& box, const Eigen::Vector3d& center, double size) const = 0;
   /// Whether the point is proved to lie in c + h K for every c in the box of centers.
@@ -37,6 +48,8 @@ public:
   /// the point; nothing when no such function is at hand.
   virtual std::optional<AffineForm<double>> avoidance(const Eigen::Vector3d& point, const Box& centers,
                                                       double size) const = 0;
+  /// Encloses the largest n . k over the points k of K, for every n of the enclosure.
+  virtual Interval support(const IntervalVector& n) const = 0;
   /// The outward normal, of length 1, of the side of c + h K through which a point within leaves it soonest; along axes
   /// without thickness there is no leaving. Floating point, as the next two.
   virtual Eigen::Vector3d exit(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
@@ -64,7 +77,15 @@ ShapePtr makeSquare();
 /// @throws std::invalid_argument otherwise
 ShapePtr makeBox(const Eigen::Vector3d& proportions);
 
-/// The names of all shapes.
+/// Size: radius [m].
+ShapePtr makeSphere();
+/// Parallel to the plane xy, no thickness in z. Size: radius [m].
+ShapePtr makeDisc();
+/// Its axis is parallel to z. Size: height [m]. @param ratio radius over height, > 0
+/// @throws std::invalid_argument for another ratio
+ShapePtr makeCylinder(double ratio);
+
+/// The names of the shapes that a name, and proportions for a box, are enough for: all but the cylinder.
 std::vector<std::string> shapeNames();
 /// The shape of that name. @param proportions what the shape measures along the axes; a box needs them
 /// @throws std::invalid_argument for an unknown name, for proportions that are missing or of another shape

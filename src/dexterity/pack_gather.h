@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Vectors, forms and half-spaces side by side. For packs only, see box_kernel_impl.h.
+
+#include "pkm_workspace/dexterity/box_kernel.h"
+#include "pkm_workspace/interval/pack.h"
+
+namespace pkm_workspace
+{
+template <int W>
+inline std::array<Pack<W>, 3> pointOf(const double (&coordinates)[3][W])
+{
+  return { Pack<W>::load(coordinates[0]), Pack<W>::load(coordinates[1]), Pack<W>::load(coordinates[2]) };
+}
+
+/// Vectors side by side; lanes beyond the last repeat it.
+template <int W>
+inline std::array<Pack<W>, 3> gather(const Eigen::Vector3d* vectors, std::size_t count)
+{
+  double coordinates[3][W];
+  for (std::size_t lane = 0; lane < W; ++lane)
+    for (std::size_t k = 0; k < 3; ++k)
+      coordinates[k][lane] = vectors[lane < count ? lane : count - 1].data()[k];
+  return pointOf<W>(coordinates);
+}
+
+/// Form by form.
+template <int W>
+inline AffineForm<Pack<W>> select(LaneMask<W> mask, const AffineForm<Pack<W>>& a, const AffineForm<Pack<W>>& b)
+{
+  return { select(mask, a.center, b.center),
+           { select(mask, a.gradient[0], b.gradient[0]), select(mask, a.gradient[1], b.gradient[1]),
+             select(mask, a.gradient[2], b.gradient[2]) },
+           select(mask, a.radius, b.radius) };
+}
+
+/// Encloses offset - normal . p.
+template <int W>
+inline AffineForm<Pack<W>> slackOf(const HalfSpace* within, std::size_t count, const CenteredBox<Pack<W>>& box)
+{
+  double normal[3][W], offset[W];
+  for (std::size_t lane = 0; lane < W; ++lane)
+  {
+    const HalfSpace& half = within[lane < count ? lane : count - 1];
+    offset[lane] = half.offset;
+    for (std::size_t k = 0; k < 3; ++k)
+      normal[k][lane] = half.normal.data()[k];
+  }
+  const std::array<Pack<W>, 3> n = pointOf<W>(normal);
+  AffineForm<Pack<W>> slack;
+  slack.center = Pack<W>::load(offset);
+  for (std::size_t k = 0; k < 3; ++k)
+    slack = slack + Enclosed<Pack<W>>(-n[k], Pack<W>(0.0)) * coordinate(box, k);
+  return slack;
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/region/largest_region.h"
+#include "support/cases.h"
+#include "support/expect_throw.h"
+#include "support/machines.h"
+#include "support/oracle.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr unsigned SEED = 31;
+using Exact = boost::multiprecision::cpp_bin_float_100;
+
+std::vector<ShapePtr> roundShapes()
+{
+  return { makeSphere(), makeDisc(), makeCylinder(0.5), makeCylinder(3.0) };
+}
+
+/// A point near the surface of c + h K more often than not.
+Eigen::Vector3d pointOf(const Shape& shape, const Eigen::Vector3d& center, double size, test::RandomBoxes& random)
+{
+  const Eigen::Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
+  return nearestInside(shape, far, center, size).value_or(center);
+}
+
+LargestRegion solve(const Machine& machine, const ShapePtr& shape, double accuracy)
+{
+  RegionQuery query;
+  query.shape = shape;
+  query.accuracy = accuracy;
+  return findLargestRegion(machine, query);
+}
+
+bool isInRegion(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double radius)
+{
+  Exact sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    sum += (Exact(point[axis]) - center[axis]) * (Exact(point[axis]) - center[axis]);
+  return sum <= Exact(radius) * radius;
+}
+}  // namespace
+
+// values.md: 0.5304 and 0.3554.
+TEST(RoundShapes, largestOfThePapersMachines)
+{
+  for (const double accuracy : { 1e-3, 1e-5 })
+  {
+    const LargestRegion sphere = solve(orthoglide(), makeSphere(), accuracy);
+    EXPECT_EQ(sphere.status, LargestRegion::Status::PROVEN);
+    EXPECT_GE(sphere.size, 0.53036);
+    EXPECT_LE(sphere.size, 0.53045);
+    EXPECT_GE(sphere.size_upper_bound, 0.53035);
+    EXPECT_LE(sphere.size_upper_bound - sphere.size, accuracy);
+    const LargestRegion disc = solve(uranesx(), makeDisc(), accuracy);
+    EXPECT_EQ(disc.status, LargestRegion::Status::PROVEN);
+    EXPECT_GE(disc.size, 0.35539);
+    EXPECT_LE(disc.size, 0.35545);
+    EXPECT_GE(disc.size_upper_bound, 0.35535);
+  }
+}
+
+TEST(RoundShapes, certifiedRegionsAreGoodAndLargerOnesAreNot)
+{
+  for (const Machine& machine : { orthoglide(), test::crooked(4), test::cone() })
+    for (const ShapePtr& shape : roundShapes())
+    {
+      const LargestRegion region = solve(machine, shape, 1e-3);
+      ASSERT_EQ(region.status, LargestRegion::Status::PROVEN) << machine.name() << ' ' << shape->name();
+      const BoxTest test(machine, Criterion());
+      const test::Oracle oracle(machine, Criterion());
+      test::RandomBoxes random(SEED);
+      for (int k = 0; k < test::cases(300); ++k)
+        EXPECT_TRUE(oracle.isGood(pointOf(*shape, region.center, region.size, random)))
+            << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
+      const Box around{ region.center.array() - 0.05, region.center.array() + 0.05 };
+      for (int k = 0; k < test::cases(50); ++k)
+      {
+        const auto larger = checkContainment(test, *shape, random.pointIn(around), region.size_upper_bound);
+        EXPECT_EQ(larger.verdict, Containment::OUTSIDE)
+            << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
+      }
+    }
+}
+
+TEST(RoundShapes, containmentAgreesWithTheOracle)
+{
+  for (const Machine& machine : test::everyKind())
+    for (const ShapePtr& shape : roundShapes())
+    {
+      const BoxTest test(machine, Criterion());
+      const test::Oracle oracle(machine, Criterion());
+      test::RandomBoxes random(SEED);
+      const Box space = test::spaceOf(machine);
+      for (int k = 0; k < test::cases(20); ++k)
+      {
+        const Eigen::Vector3d center = random.pointIn(space);
+        const double size = machine.scale() * random.between(0.01, 0.3);
+        const ContainmentResult result = checkContainment(test, *shape, center, size);
+        ASSERT_NE(result.verdict, Containment::UNDECIDED)
+            << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
+        EXPECT_FALSE(result.bad_point && oracle.isGood(*result.bad_point))
+            << machine.name() << ", seed " << SEED << ", case " << k;
+        for (int sample = 0; sample < 10 && !result.bad_point; ++sample)
+          EXPECT_TRUE(oracle.isGood(pointOf(*shape, center, size, random)))
+              << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
+      }
+    }
+}
+
+TEST(RoundShapes, halfSpacesAndBoundsHoldEveryPoint)
+{
+  test::RandomBoxes random(SEED);
+  const Box space{ Eigen::Vector3d::Constant(-3.0), Eigen::Vector3d::Constant(3.0) };
+  for (const ShapePtr& shape : roundShapes())
+    for (int k = 0; k < test::cases(300); ++k)
+    {
+      const Eigen::Vector3d center = random.pointIn(space);
+      const double size = random.between(0.1, 2.0);
+      const Eigen::Vector3d elsewhere = random.pointIn(space);
+      const HalfSpace half = shape->halfSpace(Box{ elsewhere, elsewhere }, center, size);
+      const Eigen::Vector3d point = pointOf(*shape, center, size, random);
+      EXPECT_TRUE(shape->contains(point, Box{ center, center }, size));
+      Exact along = 0;
+      for (int axis = 0; axis < 3; ++axis)
+        along += Exact(half.normal[axis]) * point[axis];
+      EXPECT_TRUE(along <= half.offset) << shape->name() << ", seed " << SEED << ", case " << k;
+      EXPECT_TRUE(shape->boundingBox(center, size).contains(point));
+      EXPECT_FALSE(shape->misses(Box{ point, point }, center, size));
+      EXPECT_GE(shape->support(enclose(half.normal)).upper(), half.normal.dot(point - center) / size - 1e-12);
+    }
+}
+
+TEST(RoundShapes, pointsOfASphereAreWithinItsRadiusExactly)
+{
+  test::RandomBoxes random(SEED);
+  const Box space{ Eigen::Vector3d::Constant(-2.0), Eigen::Vector3d::Constant(2.0) };
+  const ShapePtr sphere = makeSphere();
+  for (const Eigen::Vector3d& k : sphere->extremePoints())
+    EXPECT_TRUE(isInRegion(k, Eigen::Vector3d::Zero(), 1.0)) << k.transpose();
+  for (int k = 0; k < test::cases(1000); ++k)
+  {
+    const Eigen::Vector3d point = random.pointIn(space);
+    const bool contained = sphere->contains(point, Box{ Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() }, 1.0);
+    EXPECT_EQ(contained, isInRegion(point, Eigen::Vector3d::Zero(), 1.0)) << "seed " << SEED << ", case " << k;
+    EXPECT_TRUE(isInRegion(pointOf(*sphere, point, 0.7, random), point, 0.7));
+  }
+}
+
+TEST(RoundShapes, jointRangesHoldEveryPointAndAreTight)
+{
+  for (const Machine& machine : test::everyKind())
+    for (const ShapePtr& shape : roundShapes())
+    {
+      const double size = 0.1 * machine.scale();
+      const auto ranges = jointRanges(machine, *shape, machine.zero(), size);
+      const test::Oracle oracle(machine, Criterion());
+      test::RandomBoxes random(SEED);
+      for (int leg = 0; leg < 3; ++leg)
+      {
+        const JointRange& range = ranges[static_cast<std::size_t>(leg)];
+        EXPECT_LE(range.stroke.width(), 1e-6 * size) << machine.name() << ' ' << shape->name();
+        for (int k = 0; k < test::cases(50); ++k)
+        {
+          const Eigen::Vector3d point = pointOf(*shape, machine.zero(), size, random);
+          const test::Oracle::Number rho = oracle.joint(leg, { point.x(), point.y(), point.z() });
+          EXPECT_TRUE(range.lower.lower() <= rho && rho <= range.upper.upper())
+              << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", point " << point.transpose();
+        }
+      }
+    }
+}
+
+TEST(RoundShapes, volumesAndDimensions)
+{
+  EXPECT_NEAR(makeSphere()->volume(0.5).mid(), 0.5235987755982989, 1e-15);
+  EXPECT_NEAR(makeCylinder(0.5)->volume(2.0).mid(), 6.283185307179586, 1e-14);
+  EXPECT_EQ(makeDisc()->volume(1.0), Interval(0.0));
+  EXPECT_EQ(makeSphere()->dimensions(0.5), (std::vector<double>{ 0.5 }));
+  EXPECT_EQ(makeDisc()->dimensions(0.5), (std::vector<double>{ 0.0, 0.5 }));
+  EXPECT_EQ(makeCylinder(0.25)->dimensions(2.0), (std::vector<double>{ 2.0, 0.5 }));
+  for (const double ratio : { 0.0, -1.0, 1e-9, 1e9, std::nan("") })
+    test::expectThrow<std::invalid_argument>([&] { makeCylinder(ratio); }, "ratio = .* must be from 1e-6 to 1e6");
+}
+}  // namespace pkm_workspace
