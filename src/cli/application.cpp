@@ -35,6 +35,7 @@ const NamedCommand COMMANDS[] = {
   { "largest", "the largest cube, square, box, sphere or disc in which every point is dextrous", makeLargest },
   { "check", "whether every point of a given box is dextrous", makeCheck },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
+  { "compare", "machines with each other, or the paper with what is proved", makeCompare },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
 };
 

@@ -38,6 +38,7 @@ std::unique_ptr<Command> makeEvaluate();
 std::unique_ptr<Command> makeLargest();
 std::unique_ptr<Command> makeCheck();
 std::unique_ptr<Command> makePave();
+std::unique_ptr<Command> makeCompare();
 std::unique_ptr<Command> makeUrdf();
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -27,6 +27,23 @@ void MachineOptions::declare(Options& options)
   });
 }
 
+void ShapeOptions::declare(Options& options, ShapePtr& shape)
+{
+  options.choice("shape", name_, shapeNames(), "what to look for; flat shapes lie in the plane xy");
+  options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
+                 "of a box: its sides are size A, size B and size C, in metres");
+  options.check({ "shape", "proportions" }, [this, &shape](Problems& problems) {
+    try
+    {
+      shape = makeShape(name_, proportions_);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+  });
+}
+
 void declareCriterion(Options& options, Criterion& criterion)
 {
   options.number("psi-min", criterion.psi_min, NUMBER_POSITIVE, "least velocity transmission factor that is allowed");

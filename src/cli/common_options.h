@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "options.h"
+#include "pkm_workspace/region/shape.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -24,6 +25,18 @@ private:
   std::string path_;
   UrdfOptions names_;
   std::optional<UrdfMachine> urdf_;
+};
+
+/// --shape, --proportions.
+class ShapeOptions
+{
+public:
+  /// @param shape what is given, or the cube
+  void declare(Options& options, ShapePtr& shape);
+
+private:
+  std::string name_ = "cube";
+  std::optional<Eigen::Vector3d> proportions_;
 };
 
 /// --psi-min, --psi-max, --joint-limits.

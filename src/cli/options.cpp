@@ -61,6 +61,13 @@ void Options::texts(const std::string& name, Words& target, const std::string& v
   });
 }
 
+void Options::repeated(const std::string& name, const std::string& value, const std::string& help,
+                       const std::function<void(const std::string&)>& read)
+{
+  add(name, value, help + "; may be given several times", [read](const Words& words) { read(readText(words[0])); });
+  options_.back().repeatable = true;
+}
+
 void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)
 {
   const std::string text = help + "; " + quantity.describe();

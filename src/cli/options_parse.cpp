@@ -33,7 +33,8 @@ std::string Options::Option::asGiven() const
 
 void Options::Option::set(const Words& new_words, Problems& problems)
 {
-  const bool again = given;
+  const bool again = given && !repeatable;
+  const bool refused_before = repeatable && refused;
   const std::size_t count = countWords(values);
   words = new_words;
   given = true;
@@ -47,7 +48,7 @@ void Options::Option::set(const Words& new_words, Problems& problems)
     try
     {
       read(words);
-      refused = false;
+      refused = refused_before;
     }
     catch (const std::invalid_argument& reason)
     {

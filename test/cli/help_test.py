@@ -19,6 +19,7 @@ OPTIONS = {
     "largest": MACHINE | CRITERION | BUDGET | COMMON | {"shape", "proportions", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box"},
+    "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

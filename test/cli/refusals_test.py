@@ -11,11 +11,12 @@ EVALUATE = f"evaluate --urdf {ORTHOGLIDE} "
 LARGEST = f"largest --urdf {ORTHOGLIDE} "
 CHECK = f"check --urdf {ORTHOGLIDE} "
 PAVE = f"pave --urdf {ORTHOGLIDE} "
+COMPARE = f"compare --urdf {ORTHOGLIDE} "
 
 # command line, and a regular expression for a line of standard error
 REFUSALS = [
     ("", "a command is missing"),
-    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, urdf"),
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, compare, urdf"),
     ("-h", "'-h' is not a command"),
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),
@@ -74,6 +75,14 @@ REFUSALS = [
     (PAVE + "--set reachable --psi-min 0.6", "--set reachable, --psi-min 0.6: a reachable set has no"),
     (PAVE + "--box 1 0 0 1 0 1", "--box .*: 1 m is above 0 m; allowed: X0 <= X1"),
     (f"pave --urdf {URANESX}", "rails are parallel.*joint limits.*box"),
+    ("compare", "give either --urdf FILE, once for each machine, or --paper"),
+    (COMPARE + "--paper", "--urdf .*, --paper: give either"),
+    (COMPARE + "--urdf /no/such/file.urdf", "--urdf /no/such/file.urdf: .*No such file or directory"),
+    (f"compare --urdf /no/such/file.urdf --urdf {ORTHOGLIDE}", "--urdf /no/such/file.urdf: .*No such file"),
+    (COMPARE + "--urdf", r"--urdf: needs one value \(FILE\), got 0"),
+    (COMPARE + "--shape box", "--shape box: shape = box needs proportions"),
+    (COMPARE + "--accuracy 0", "--accuracy 0: 0 is out of range; allowed: > 0 m"),
+    ("compare --paper --psi-max 3", "--paper, --psi-max 3: .*leave out --psi-max"),
     ("urdf", r"--machine orthoglide\S*\|uranesx: the option is missing"),
     ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, "),
     ("urdf --machine orthoglide --length -1", "--length -1: -1 is out of range; allowed: > 0 m"),

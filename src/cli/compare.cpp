@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "command.h"
+#include "common_options.h"
+#include "comparison.h"
+#include "paper_tables.h"
+#include "progress.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+/// Relative.
+constexpr double VOLUME_ACCURACY = 5e-3;
+
+Json jsonOf(const SingularityAnswer& answer)
+{
+  const bool proved = answer.status == SingularityAnswer::Status::PROVED;
+  return { { "exists", answer.status == SingularityAnswer::Status::UNDECIDED ? Json() : Json(proved) },
+           { "least", toJson(answer.least) },
+           { "box", proved ? toJson(*answer.box) : Json() } };
+}
+
+Json jsonOf(const Singularities& found)
+{
+  return { { "serial", jsonOf(least(found.serial)) }, { "parallel", jsonOf(found.parallel) } };
+}
+
+Json jsonOf(const Study& study)
+{
+  const bool found = study.region.size > 0.0;
+  Json json = contextOf(study.machine, study.query.criterion);
+  json["shape"] = study.query.shape->name();
+  json["accuracy"] = study.query.accuracy;
+  json["center"] = found ? toJson(study.region.center) : Json();
+  json["size"] = study.region.size;
+  json["size_upper_bound"] = study.region.size_upper_bound;
+  json["joint_ranges"] = Json::array();
+  json["figures"] = Json::object();
+  json["scaled"] = Json::object();
+  for (std::size_t i = 0; found && i < 3; ++i)
+    json["joint_ranges"].push_back({ { "joint", study.machine.leg(static_cast<int>(i)).joint },
+                                     { "lower", study.ranges[i].lower() },
+                                     { "upper", study.ranges[i].upper() } });
+  for (const Figure& figure : figuresOf(study))
+  {
+    json["figures"][figure.key] = toJson(figure.value);
+    json["scaled"][figure.key] = toJson(figure.scaled(study.region.size));
+  }
+  if (found)
+    json["singularities"] = { { "region", jsonOf(study.in_region) }, { "joint_ranges", jsonOf(study.in_ranges) } };
+  return json;
+}
+
+Json jsonOf(const PaperRow& row)
+{
+  return { { "place", row.place },
+           { "what", row.what },
+           { "paper", row.paper },
+           { "ours", row.ours },
+           { "holds", row.holds ? Json(*row.holds) : Json() } };
+}
+
+/// Lines of one quantity for each machine, so that what is compared stands together.
+std::string table(const std::vector<Study>& studies)
+{
+  std::vector<Words> rows = { { "quantity", "machine", "value", "scaled to size 1" } };
+  std::vector<std::vector<Figure>> figures;
+  std::size_t count = 0;
+  for (const Study& study : studies)
+  {
+    figures.push_back(figuresOf(study));
+    count = std::max(count, figures.back().size());
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t m = 0; m < studies.size(); ++m)
+      if (k < figures[m].size())
+        rows.push_back({ figures[m][k].label, studies[m].machine.name(), describe(figures[m][k].value),
+                         describe(figures[m][k].scaled(studies[m].region.size)) });
+  return aligned(rows, Align::LEFT);
+}
+
+std::string singularities(const std::vector<Study>& studies)
+{
+  std::vector<Words> rows = { { "singularities", "machine", "serial", "parallel" } };
+  for (const Study& study : studies)
+    if (study.region.size > 0.0)
+    {
+      const std::string name = study.machine.name();
+      rows.push_back(
+          { "in the region", name, verdictOn(least(study.in_region.serial)), verdictOn(study.in_region.parallel) });
+      rows.push_back({ "within the strokes", name, verdictOn(least(study.in_ranges.serial)),
+                       verdictOn(study.in_ranges.parallel) });
+    }
+  return aligned(rows, Align::LEFT);
+}
+
+class Compare : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Compares machines by the largest region of a shape in which every point is dextrous, as the paper does: "
+           "its size, what the joints have to travel for it, the volume that can be reached with these strokes, and "
+           "the singularities in both; every number as a proved bracket, also scaled to a region of size 1. The "
+           "strokes are equal: each begins at the least value of its own joint and has the largest length of the "
+           "three. With --paper, the figures of the paper beside ours.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm compare --urdf orthoglide.urdf --urdf uranesx.urdf",
+             "pkm compare --urdf orthoglide.urdf --urdf uranesx.urdf --shape square --json", "pkm compare --paper" };
+  }
+
+  void declare(Options& options) override
+  {
+    options.repeated("urdf", "FILE", "URDF of a machine: three branches, cut at the platform",
+                     [this](const std::string& path) { urdfs_.push_back(readUrdfFile(path)); });
+    options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
+    shape_.declare(options, query_.shape);
+    declareCriterion(options, query_.criterion);
+    options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
+                   "largest difference between the proved size and its upper bound");
+    declareBudget(options, query_.budget);
+    options.check({ "urdf", "paper" }, [this](Problems& problems) {
+      if (paper_ != urdfs_.empty())
+        problems.push_back("give either --urdf FILE, once for each machine, or --paper");
+    });
+    options.check({ "paper", "shape", "proportions", "psi-min", "psi-max", "joint-limits" }, [this, &options](
+                                                                                                 Problems& problems) {
+      for (const char* name : { "shape", "proportions", "psi-min", "psi-max", "joint-limits" })
+        if (paper_ && options.given(name))
+          problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
+    });
+  }
+
+  Words warnings() const override
+  {
+    Words all;
+    for (const UrdfMachine& urdf : urdfs_)
+      all.insert(all.end(), urdf.warnings.begin(), urdf.warnings.end());
+    return all;
+  }
+
+  Answer answer() override
+  {
+    query_.budget.stop = stopOnSignal();
+    return paper_ ? answerPaper() : answerMachines();
+  }
+
+private:
+  Answer answerMachines()
+  {
+    query_.budget.time_limit /= static_cast<double>(urdfs_.size());
+    std::vector<Study> studies;
+    Json json = { { "machines", Json::array() } };
+    std::string regions;
+    for (const UrdfMachine& urdf : urdfs_)
+    {
+      studies.push_back(studyOf(urdf.machine, query_, VOLUME_ACCURACY));
+      json["machines"].push_back(jsonOf(studies.back()));
+      regions += wrapped("Largest " + query_.shape->name() + " of machine '" + urdf.machine.name() +
+                         "': " + studies.back().region.message);
+    }
+    return { json, regions + "\n" + table(studies) + "\n" + singularities(studies) + "\n" +
+                       wrapped("The strokes are equalised: each begins at the least value of its own joint over the "
+                               "region and has the largest length of the three. Singularities within the strokes are "
+                               "looked for in both aspects.") +
+                       wrapped(definition(query_.criterion)) };
+  }
+
+  Answer answerPaper()
+  {
+    Json json = { { "rows", Json::array() } };
+    std::vector<Words> lines = { { "place", "what", "paper", "ours", "the paper's" } };
+    for (const PaperRow& row : paperRows(query_.accuracy, query_.budget))
+    {
+      json["rows"].push_back(jsonOf(row));
+      lines.push_back({ row.place, row.what, row.paper, row.ours, row.holds ? *row.holds ? "holds" : "fails" : "-" });
+    }
+    return { json, aligned(lines, Align::LEFT) + "\n" +
+                       wrapped("A figure of the paper holds when it differs from ours by no more than one unit of the "
+                               "last digit that is printed. Strokes, volumes and ratios are those of our largest "
+                               "regions.") };
+  }
+
+  std::vector<UrdfMachine> urdfs_;
+  bool paper_ = false;
+  RegionQuery query_;
+  ShapeOptions shape_;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeCompare()
+{
+  return std::make_unique<Compare>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace

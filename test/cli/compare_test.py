@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm compare: its figures against closed forms and searches, and the paper's figures beside ours."""
+
+import math
+import unittest
+
+from pkm import ORTHOGLIDE, URANESX, CommandTest
+
+EDGE = 1 / math.sqrt(6) + 1 / (3 * math.sqrt(2))  # of the Orthoglide's largest cube [m]
+
+
+class Compare(CommandTest):
+    def assertEncloses(self, interval, value, slack=0.0):
+        self.assertBrackets(interval[0], value, interval[1], slack)
+
+    def compare(self, *words):
+        return self.answer("compare", "--urdf", ORTHOGLIDE, "--urdf", URANESX, *words)["machines"]
+
+    def test_two_machines(self):
+        orthoglide, uranesx = self.compare()
+        self.assertEqual([orthoglide["machine"], uranesx["machine"]], ["orthoglide", "uranesx"])
+        for machine, edge, volume in ((orthoglide, EDGE, 0.5742), (uranesx, 0.51949, 0.5701)):
+            self.assertEncloses(machine["figures"]["size"], edge, 1e-5)
+            self.assertEqual(machine["figures"]["size"], [machine["size"], machine["size_upper_bound"]])
+            self.assertEncloses(machine["figures"]["workspace_volume"], volume, 1e-3)
+            lower, upper = machine["figures"]["workspace_volume"]
+            self.assertLess(upper - lower, 0.02 * upper)
+            for kind in ("figures", "scaled"):
+                cube = machine[kind]["region_volume"]
+                ratio = [cube[0] / machine[kind]["workspace_volume"][1], cube[1] / machine[kind]["workspace_volume"][0]]
+                self.assertEncloses(machine[kind]["volume_ratio"], sum(ratio) / 2)
+            self.assertEncloses(machine["scaled"]["strut"], 1 / machine["size"], 1e-12)
+            self.assertEncloses(machine["scaled"]["region_volume"], 1, 1e-12)
+        self.assertEncloses(orthoglide["figures"]["stroke"], 1 + 1 / (3 * math.sqrt(2)) - 1 / math.sqrt(6), 1e-3)
+        self.assertEncloses(orthoglide["figures"]["across"], 1 - math.sqrt(2 / 3), 1e-3)
+        self.assertEncloses(orthoglide["figures"]["other_aspect_volume"], 0.0071, 1e-4)
+
+    def test_strokes_are_equalised(self):
+        for machine in self.compare():
+            for joint in machine["joint_ranges"]:
+                self.assertAlmostEqual(joint["upper"] - joint["lower"], machine["figures"]["stroke"][1], delta=1e-12)
+
+    def test_singularities(self):
+        orthoglide, uranesx = self.compare()
+        for machine in (orthoglide, uranesx):
+            for found in machine["singularities"]["region"].values():
+                self.assertIs(found["exists"], False)
+                self.assertGreater(found["least"][0], 0)
+            self.assertIs(machine["singularities"]["joint_ranges"]["serial"]["exists"], True)
+        parallel = orthoglide["singularities"]["joint_ranges"]["parallel"]
+        self.assertIs(parallel["exists"], True)
+        self.assertEqual(parallel["least"], [0, 0])
+        for lower, upper in zip(parallel["box"]["lower"], parallel["box"]["upper"]):
+            self.assertLess(upper, 0)
+            self.assertLess(upper - lower, 1e-5)
+        parallel = uranesx["singularities"]["joint_ranges"]["parallel"]
+        self.assertIs(parallel["exists"], False)
+        self.assertGreater(parallel["least"][0], 0.42)
+
+    def test_one_machine_and_flat_shapes(self):
+        answer = self.answer("compare", "--urdf", URANESX, "--shape", "square")["machines"]
+        self.assertEqual(len(answer), 1)
+        self.assertNotIn("volume_ratio", answer[0]["figures"])
+        for stroke, across in zip(answer[0]["figures"]["stroke"], answer[0]["figures"]["across"]):
+            self.assertAlmostEqual(stroke, across, delta=1e-14)  # only eta changes in a plane across the rails
+
+    def test_no_region_has_no_figures(self):
+        answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--psi-min", 1.2, "--psi-max", 1.3)["machines"][0]
+        self.assertEqual(answer["size"], 0)
+        self.assertEqual(answer["figures"], {})
+        self.assertNotIn("singularities", answer)
+
+    def test_budget_ends_with_honest_brackets(self):
+        answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--accuracy", 1e-6, "--max-boxes", 200)["machines"][0]
+        self.assertEncloses(answer["figures"]["size"], EDGE)
+
+    def test_text_has_a_line_for_each_machine(self):
+        text = self.text("compare", "--urdf", ORTHOGLIDE, "--urdf", URANESX)
+        for machine in ("orthoglide", "uranesx"):
+            self.assertRegex(text, rf"(?m)^  cube: edge .*  {machine} .* to ")
+        self.assertRegex(text, r"(?m)^  within the strokes  orthoglide .* at \(.* at \(")
+
+
+class ComparePaper(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.rows = cls().answer("compare", "--paper")["rows"]
+
+    def holds(self, place, start):
+        found = [row["holds"] for row in self.rows if row["place"] == place and row["what"].startswith(start)]
+        self.assertTrue(found, (place, start))
+        return found
+
+    def test_every_table_is_there(self):
+        for table, rows in ((1, 4), (2, 10), (3, 6), (4, 6)):
+            self.assertEqual(sum(row["place"] == f"table {table}" for row in self.rows), rows)
+
+    def test_what_holds_and_what_does_not(self):
+        """values.md: the cube holds; the squares are 0.01 off; the cube's stroke is not 0.825."""
+        self.assertIs(self.holds("section 4.3", "edge of the cube")[-1], True)
+        self.assertEqual(set(self.holds("table 2", "edge of the square")), {False})
+        self.assertEqual(self.holds("section 4.3", "edge of the square"), [False])
+        self.assertEqual(self.holds("section 4.4", "Orthoglide, Delta rho"), [False])
+        self.assertEqual(self.holds("table 3", "Orthoglide, workspace"), [False])
+        self.assertEqual(self.holds("table 4", "Orthoglide, strut"), [True])
+        self.assertEqual(self.holds("section 4.3", "Orthoglide, parallel"), [False])
+        self.assertEqual(self.holds("section 4.3", "UraneSX, parallel"), [True])
+        self.assertEqual(self.holds("section 4.3", "UraneSX, serial"), [True])
+        self.assertEqual(set(self.holds("table 1", "seconds")), {None})
+
+
+if __name__ == "__main__":
+    unittest.main()
