@@ -32,7 +32,7 @@ struct NamedCommand
 
 const NamedCommand COMMANDS[] = {
   { "evaluate", "how the machine stands at one tool point", makeEvaluate },
-  { "largest", "the largest cube, square, box, sphere or disc in which every point is dextrous", makeLargest },
+  { "largest", "the largest region of a shape in which every point is dextrous", makeLargest },
   { "check", "whether every point of a given box is dextrous", makeCheck },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },

@@ -47,7 +47,7 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
 
 Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegion& region)
 {
-  const Shape& shape = *query.shape;
+  const Shape& shape = *region.shape;
   const bool found = region.size > 0.0;
   Json json = contextOf(machine, query.criterion);
   json["status"] = name(region.status);
@@ -100,9 +100,13 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.choice("shape", shape_, shapeNames(), "what to look for; a square and a disc lie in the plane xy");
+    Words names = shapeNames();
+    names.push_back("cylinder");
+    options.choice("shape", shape_, names, "what to look for; a square and a disc lie in the plane xy");
     options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
                    "of a box: its sides are size A, size B and size C, in metres");
+    options.range("ratio", ratio_, NUMBER_POSITIVE,
+                  "of a cylinder: least and largest radius over height; the one of the largest volume is found");
     declareCriterion(options, query_.criterion);
     options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
                    "largest difference between the proved size and its upper bound (of a box: in factors)");
@@ -110,7 +114,7 @@ public:
     options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
     declareBudget(options, query_.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
-    options.check({ "shape", "proportions" }, [this](Problems& problems) { setShape(problems); });
+    options.check({ "shape", "proportions", "ratio" }, [this](Problems& problems) { setShape(problems); });
     options.check({ "search-box", "center" }, [this](Problems& problems) {
       if (query_.search_box && center_)
         problems.push_back("only one of the two can be given");
@@ -139,7 +143,7 @@ private:
   {
     try
     {
-      query_.shape = makeShape(shape_, proportions_);
+      pkm_workspace::setShape(shape_, proportions_, ratio_, query_);
     }
     catch (const std::invalid_argument& reason)
     {
@@ -149,7 +153,7 @@ private:
 
   std::string print(const LargestRegion& region) const
   {
-    const Shape& shape = *query_.shape;
+    const Shape& shape = *region.shape;
     const int decimals = decimalsFor(region.size, region.size_upper_bound);
     std::vector<Words> rows = { { "status", std::string(name(region.status)) + " (" + region.message + ")" },
                                 { shape.sizeMeaning(), roundedDown(region.size, decimals) },
@@ -157,7 +161,7 @@ private:
     if (region.size > 0.0)
     {
       rows.push_back({ "center", describe(region.center) });
-      rows.push_back({ "dimensions", dimensions(region.size, decimals) });
+      rows.push_back({ "dimensions", dimensions(shape, region.size, decimals) });
       if (isSolid(shape))
         rows.push_back(
             { "volume",
@@ -171,10 +175,10 @@ private:
     return text + wrapped(proof(region, decimals)) + wrapped(definition(query_.criterion));
   }
 
-  std::string dimensions(double size, int decimals) const
+  static std::string dimensions(const Shape& shape, double size, int decimals)
   {
     Words sides;
-    for (const double side : query_.shape->dimensions(size))
+    for (const double side : shape.dimensions(size))
       sides.push_back(roundedDown(side, decimals));
     return joined(sides, " x ") + " m";
   }
@@ -197,6 +201,7 @@ private:
   bool progress_ = false;
   std::string shape_ = "cube";
   std::optional<Eigen::Vector3d> proportions_;
+  std::optional<RatioRange> ratio_;
   std::optional<Eigen::Vector3d> center_;
 };
 }  // namespace

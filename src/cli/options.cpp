@@ -100,6 +100,17 @@ void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& ta
   });
 }
 
+void Options::range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
+                    const std::string& help)
+{
+  add(name, "LO HI", help + "; each " + quantity.describe() + ", LO <= HI", [&target, quantity](const Words& words) {
+    const std::vector<double> numbers = readNumbers(words, quantity);
+    if (!(numbers[0] <= numbers[1]))
+      throw std::invalid_argument("LO is larger than HI");
+    target = RatioRange{ numbers[0], numbers[1] };
+  });
+}
+
 void Options::box(const std::string& name, std::optional<Box>& target, const std::string& help)
 {
   add(name, "X0 X1 Y0 Y1 Z0 Z1", help + "; each " + LENGTH.describe() + ", X0 <= X1, Y0 <= Y1, Z0 <= Z1",

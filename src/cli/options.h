@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/region/largest_region.h"
 #include "values.h"
 
 namespace pkm_workspace
@@ -43,6 +43,9 @@ public:
   }
   void vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
               const Quantity& quantity, const std::string& help);
+  /// Two numbers, the least one first.
+  void range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
+             const std::string& help);
   void box(const std::string& name, std::optional<Box>& target, const std::string& help);
 
   /// Asks for the options of these names.

@@ -32,7 +32,7 @@ constexpr double LEAST_WIDTH = 1e-13;
 constexpr double LEAST_ACCURACY = 1e-12;
 }  // namespace
 
-CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
+CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known)
   : query_(query)
   , test_(machine, query.criterion)
   , space_(centerSpace(machine, query))
@@ -44,7 +44,9 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query)
   , accuracy_(std::max(query.accuracy, LEAST_ACCURACY * scale_ / query.shape->halfExtents().maxCoeff()))
   , begin_(std::chrono::steady_clock::now())
   , zero_(machine.zero())
-{}
+{
+  incumbent_.size = known;
+}
 
 double CenterSearch::seconds() const
 {
@@ -72,7 +74,10 @@ std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
       checkContainment(test_, *query_.shape, candidate.center, candidate.size, VERIFICATION_BOXES, query_.budget.stop);
   verification_boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
+  {
     incumbent_ = candidate;
+    found_ = true;
+  }
   return proof.bad_point;
 }
 
@@ -255,28 +260,14 @@ LargestRegion CenterSearch::run()
 LargestRegion CenterSearch::result(bool done) const
 {
   LargestRegion region;
+  region.shape = query_.shape;
   region.center = incumbent_.center;
-  region.size = incumbent_.size;
+  region.size = found_ ? incumbent_.size : 0.0;
   region.size_upper_bound = upperBound();
   region.boxes = boxes_;
   region.verification_boxes = verification_boxes_;
   region.seconds = seconds();
-  const bool narrow = region.size_upper_bound <= rounding::add(incumbent_.size, query_.accuracy).lower;
-  if (narrow && region.size > 0.0)
-  {
-    region.status = LargestRegion::Status::PROVEN;
-    region.message = "proved to the accuracy asked for";
-  }
-  else if (narrow)
-  {
-    region.status = LargestRegion::Status::NONE;
-    region.message = "no region as large as the accuracy exists where the center may lie, proved";
-  }
-  else if (done)
-    region.message = "the accuracy is below what double precision can settle for this machine: ask for a coarser one";
-  else
-    region.message =
-        "the time limit, the box budget or a stop request ended the search: the bracket holds, but is wide";
+  conclude(region, query_.accuracy, !done);
   return region;
 }
 }  // namespace pkm_workspace

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_region.h"
 
+#include <sstream>
+#include <stdexcept>
+
 #include "pkm_workspace/region/center_search.h"
+#include "pkm_workspace/region/largest_cylinder.h"
 
 namespace pkm_workspace
 {
@@ -9,6 +13,9 @@ void RegionQuery::validate(Problems& problems) const
 {
   if (!shape)
     problems.push_back("a shape is missing");
+  if (ratio && !(ratio->lower > 0.0 && ratio->lower <= ratio->upper && ratio->upper <= 1e6))
+    problems.push_back("ratio = [" + std::to_string(ratio->lower) + ", " + std::to_string(ratio->upper) +
+                       "] must be from 1e-6 to 1e6, the least one first");
   criterion.validate(problems);
   if (criterion.aspect == Criterion::Aspect::BOTH)
     problems.push_back("a region lies in one aspect: ask for the machine's own or for the other one");
@@ -18,11 +25,61 @@ void RegionQuery::validate(Problems& problems) const
     validateBox("search_box", *search_box, problems);
 }
 
+void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
+              const std::optional<RatioRange>& ratio, RegionQuery& query)
+{
+  query.ratio.reset();
+  if (name != "cylinder" && !ratio)
+  {
+    query.shape = makeShape(name, proportions);
+    return;
+  }
+  if (name != "cylinder")
+    throw std::invalid_argument("a ratio is for the shape cylinder only, the shape is " + name);
+  if (!ratio)
+    throw std::invalid_argument("shape = cylinder needs a ratio: the least and the largest of radius over height");
+  if (!(ratio->lower <= ratio->upper))
+  {
+    std::ostringstream text;
+    text << "ratio = [" << ratio->lower << ", " << ratio->upper << "] must have the least one first";
+    throw std::invalid_argument(text.str());
+  }
+  const ShapePtr least = makeCylinder(ratio->lower);
+  const ShapePtr largest = makeCylinder(ratio->upper);
+  query.shape = largest;
+  if (ratio->lower < ratio->upper)
+    query.ratio = ratio;
+  if (proportions && *proportions != 2.0 * largest->halfExtents())
+    throw std::invalid_argument("proportions are for the shape box only, the shape is cylinder");
+}
+
+void conclude(LargestRegion& region, double accuracy, bool stopped)
+{
+  region.status = LargestRegion::Status::STOPPED;
+  const bool narrow = region.size_upper_bound <= rounding::add(region.size, accuracy).lower;
+  if (narrow && region.size > 0.0)
+  {
+    region.status = LargestRegion::Status::PROVEN;
+    region.message = "proved to the accuracy asked for";
+  }
+  else if (narrow)
+  {
+    region.status = LargestRegion::Status::NONE;
+    region.message = "no region as large as the accuracy exists where the center may lie, proved";
+  }
+  else if (!stopped)
+    region.message = "the accuracy is below what double precision can settle for this machine: ask for a coarser one";
+  else
+    region.message =
+        "the time limit, the box budget or a stop request ended the search: the bracket holds, but is wide";
+}
+
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)
 {
-  LargestRegion region = CenterSearch(machine, validated(query)).run();
+  validated(query);
+  LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
   if (region.size > 0.0)
-    region.joint_ranges = jointRanges(machine, *query.shape, region.center, region.size);
+    region.joint_ranges = jointRanges(machine, *region.shape, region.center, region.size);
   return region;
 }
 

@@ -37,8 +37,8 @@ std::string listOfNames()
 {
   std::string list;
   for (const NamedShape& shape : SHAPES)
-    list += (list.empty() ? "" : &shape == std::end(SHAPES) - 1 ? " or " : ", ") + std::string(shape.name);
-  return list;
+    list += shape.name + std::string(", ");
+  return list.substr(0, list.size() - 2) + " or cylinder";
 }
 }  // namespace
 

@@ -32,13 +32,19 @@ Eigen::Vector3d proportionsOf(const Shape& shape)
   return 2.0 * shape.halfExtents();
 }
 
-ShapePtr shapeFrom(const RegionRequest& request, const ShapePtr& fallback)
+/// Sets the shape unless the request leaves it as it is.
+void readShape(const RegionRequest& request, RegionQuery& query)
 {
-  const std::string name = request.shape.empty() ? fallback->name() : request.shape;
-  const Eigen::Vector3d wanted(request.proportions.x, request.proportions.y, request.proportions.z);
-  if (wanted != Eigen::Vector3d::Zero())
-    return makeShape(name, wanted);
-  return name == fallback->name() ? fallback : makeShape(name);
+  const std::string own = query.shape->name();
+  const Eigen::Vector3d sides(request.proportions.x, request.proportions.y, request.proportions.z);
+  std::optional<Eigen::Vector3d> proportions;
+  std::optional<RatioRange> ratio;
+  if (sides != Eigen::Vector3d::Zero())
+    proportions = sides;
+  if (request.ratio_min != 0.0 || request.ratio_max != 0.0)
+    ratio = RatioRange{ request.ratio_min, request.ratio_max };
+  if (proportions || ratio || (!request.shape.empty() && request.shape != own))
+    setShape(request.shape.empty() ? own : request.shape, proportions, ratio, query);
 }
 
 void readSwitches(const RegionRequest& request, RegionQuery& query, Problems& problems)
@@ -131,7 +137,7 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
   Problems problems;
   try
   {
-    query.shape = shapeFrom(request, defaults.shape);
+    readShape(request, query);
   }
   catch (const std::invalid_argument& error)
   {
@@ -161,7 +167,7 @@ Region toMessage(const Answer& answer, const Machine& machine, const std_msgs::H
   message.header = header;
   message.hypotheses = hypothesesOf(answer.query, machine);
   message.status = constantOf(region.status);
-  describeRegion(region, *answer.query.shape, message);
+  describeRegion(region, *region.shape, message);
   if (answer.query.search_box)
   {
     message.use_search_box = true;
@@ -191,7 +197,7 @@ JointRanges jointRangesOf(const Region& region)
 std::string summary(const Answer& answer)
 {
   const LargestRegion& region = answer.region;
-  const Shape& shape = *answer.query.shape;
+  const Shape& shape = *region.shape;
   std::ostringstream text;
   text.precision(9);
   text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m, " << shape.sizeMeaning() << " proven: ";

@@ -174,20 +174,43 @@ void addBox(const Region& region, Scene& scene)
   scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text.str());
 }
 
-void addRegion(const Region& region, Scene& scene)
+/// With circles around both ends.
+void addCylinder(const Eigen::Vector3d& center, double height, double radius, Scene& scene)
 {
-  if (region.solid.type == shape_msgs::SolidPrimitive::BOX)
-    return addBox(region, scene);
+  Marker& body = scene.add("region", Marker::CYLINDER, REGION_FACES);
+  body.pose.position = toMessage(center);
+  body.scale.x = body.scale.y = 2.0 * radius;
+  body.scale.z = height;
+  for (const double end : { -0.5, 0.5 })
+    addCircle(center + end * height * Eigen::Vector3d::UnitZ(), radius, 2, scene);
+}
+
+void addRound(const Region& region, Scene& scene)
+{
   const Eigen::Vector3d center = fromMessage(region.center);
-  const double radius = region.solid.dimensions.back();
-  const bool is_sphere = region.solid.type == shape_msgs::SolidPrimitive::SPHERE;
-  is_sphere ? addSphere(center, radius, scene) : addDisc(center, radius, scene);
+  const std::vector<double>& dimensions = region.solid.dimensions;
+  const double radius = dimensions.back();
+  const bool is_sphere = dimensions.size() == 1;
+  const double height = is_sphere ? 2.0 * radius : dimensions.front();
+  if (is_sphere)
+    addSphere(center, radius, scene);
+  else if (height > 0.0)
+    addCylinder(center, height, radius, scene);
+  else
+    addDisc(center, radius, scene);
   std::ostringstream text;
   text.precision(5);
   text << region.shape << " of radius " << radius << " m";
-  const double distance = (is_sphere ? radius : -radius) + (is_sphere ? 100.0 : -80.0) * scene.unit();
-  scene.addText("region", center + distance * (is_sphere ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY()),
-                text.str());
+  if (!is_sphere && height > 0.0)
+    text << ", height " << height << " m";
+  const Eigen::Vector3d place = height > 0.0 ? (0.5 * height + 100.0 * scene.unit()) * Eigen::Vector3d::UnitZ()
+                                             : -(radius + 80.0 * scene.unit()) * Eigen::Vector3d::UnitY();
+  scene.addText("region", center + place, text.str());
+}
+
+void addRegion(const Region& region, Scene& scene)
+{
+  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
 }
 
 /// One list for each size, because a list has one scale. Flat boxes (their set does not change along the rails, and the

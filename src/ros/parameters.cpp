@@ -73,6 +73,15 @@ bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)
   return true;
 }
 
+bool read(const XmlRpcValue& value, std::optional<RatioRange>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 2)
+    return false;
+  target = RatioRange{ numbers[0], numbers[1] };
+  return true;
+}
+
 bool read(const XmlRpcValue& value, std::optional<Box>& target)
 {
   std::vector<double> numbers;
@@ -95,19 +104,21 @@ Entry entry(T& target, const std::string& expected)
   return { expected, [&target](const XmlRpcValue& value) { return read(value, target); } };
 }
 
-/// The shape is given by two parameters.
+/// The shape is given by these parameters.
 struct ShapeNames
 {
   std::string shape = "cube";
   std::optional<Eigen::Vector3d> proportions;
+  std::optional<RatioRange> ratio;
 };
 
 Table tableOf(Parameters& parameters, ShapeNames& names)
 {
   RegionQuery& query = parameters.query;
   return {
-    { "shape", entry(names.shape, "a text: cube, square, box, sphere or disc") },
+    { "shape", entry(names.shape, "a text: cube, square, box, sphere, disc or cylinder") },
     { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
+    { "ratio", entry(names.ratio, "two numbers [least, largest] > 0, without unit") },
     { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
     { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
@@ -152,7 +163,7 @@ void chooseShape(const ShapeNames& names, RegionQuery& query, Problems& problems
 {
   try
   {
-    query.shape = makeShape(names.shape, names.proportions);
+    setShape(names.shape, names.proportions, names.ratio, query);
   }
   catch (const std::invalid_argument& error)
   {

@@ -16,7 +16,8 @@ BUDGET = {"time-limit", "max-boxes", "threads", "progress"}
 COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | {"point"},
-    "largest": MACHINE | CRITERION | BUDGET | COMMON | {"shape", "proportions", "accuracy", "search-box", "center"},
+    "largest": MACHINE | CRITERION | BUDGET | COMMON
+    | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box"},
     "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "accuracy"},
@@ -43,7 +44,7 @@ class Help(CommandTest):
                              ("--psi-max NUMBER", "> 0, without unit [default 2]"),
                              ("--accuracy NUMBER", "> 0 m [default 0.001 m]"),
                              ("--joint-limits on|off", "[default off]"),
-                             ("--shape cube|square|box|sphere|disc", "[default cube]"),
+                             ("--shape cube|square|box|sphere|disc|cylinder", "[default cube]"),
                              ("--threads COUNT", "from 1 to 1024 [default "),
                              ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),
                              ("--time-limit NUMBER", "> 0 s"),

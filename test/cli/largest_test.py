@@ -78,6 +78,18 @@ class Largest(CommandTest):
             self.assertGreaterEqual(Fraction(answer["volume_upper_bound"]),
                                     product * Fraction(answer["size_upper_bound"])**3)
 
+    def test_round_shapes(self):
+        sphere = self.largest(ORTHOGLIDE, "--shape", "sphere")
+        self.assertBrackets(sphere["size"], 0.53037, sphere["size_upper_bound"], 1e-6)
+        self.assertEqual(sphere["dimensions"], [sphere["size"]])
+        self.assertLessEqual(sphere["volume"], 4 / 3 * 3.1415926535 * sphere["size"]**3 * (1 + 1e-9))
+        disc = self.largest(URANESX, "--shape", "disc")
+        self.assertBrackets(disc["size"], 0.355406, disc["size_upper_bound"], 1e-5)
+        self.assertEqual(disc["dimensions"], [0, disc["size"]])
+        cylinder = self.largest(ORTHOGLIDE, "--shape", "cylinder", "--ratio", 0.5, 0.5)
+        self.assertEqual(cylinder["status"], "proven")
+        self.assertEqual(cylinder["dimensions"], [cylinder["size"], cylinder["size"] / 2])
+
     def test_search_box_and_center(self):
         everywhere = self.largest(ORTHOGLIDE, "--search-box", -1, 1, -1, 1, -1, 1)
         self.assertProven(everywhere, CUBE, 1e-12)

@@ -187,4 +187,37 @@ TEST(RoundShapes, volumesAndDimensions)
   for (const double ratio : { 0.0, -1.0, 1e-9, 1e9, std::nan("") })
     test::expectThrow<std::invalid_argument>([&] { makeCylinder(ratio); }, "ratio = .* must be from 1e-6 to 1e6");
 }
+TEST(RoundShapes, aFreeRatioFindsTheCylinderOfTheLargestVolume)
+{
+  RegionQuery query;
+  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  query.accuracy = 1e-2;
+  const LargestRegion best = findLargestRegion(orthoglide(), query);
+  ASSERT_EQ(best.status, LargestRegion::Status::PROVEN) << best.message;
+  const double ratio = best.shape->halfExtents().x();
+  EXPECT_GE(ratio, 0.5);
+  EXPECT_LE(ratio, 0.8);
+  EXPECT_EQ(checkContainment(BoxTest(orthoglide(), query.criterion), *best.shape, best.center, best.size).verdict,
+            Containment::INSIDE);
+  const Interval upper = best.shape->volume(best.size_upper_bound);
+  for (const double other : { 0.5, 0.57, 0.63, 0.7, 0.8 })
+  {
+    const LargestRegion fixed = solve(orthoglide(), makeCylinder(other), 1e-3);
+    EXPECT_LE(fixed.shape->volume(fixed.size).lower(), upper.upper()) << other;
+  }
+}
+
+TEST(RoundShapes, refuseRatiosAndNamesThatMakeNoShape)
+{
+  RegionQuery query;
+  const auto set = [&query](const char* name, std::optional<RatioRange> ratio) {
+    setShape(name, std::nullopt, ratio, query);
+  };
+  using Bad = std::invalid_argument;
+  test::expectThrow<Bad>([&] { set("cylinder", std::nullopt); }, "cylinder needs a ratio");
+  test::expectThrow<Bad>([&] { set("cylinder", RatioRange{ 2.0, 1.0 }); }, "ratio = .2, 1. must have the least one");
+  test::expectThrow<Bad>([&] { set("cylinder", RatioRange{ 0.0, 1.0 }); }, "ratio = 0 .* must be from 1e-6 to 1e6");
+  test::expectThrow<Bad>([&] { set("cube", RatioRange{ 1.0, 1.0 }); }, "for the shape cylinder only.* cube");
+  test::expectThrow<Bad>([&] { set("cone", std::nullopt); }, "must be cube, .*disc or cylinder");
+}
 }  // namespace pkm_workspace

@@ -122,6 +122,30 @@ TEST(Markers, showASquareAsTriangles)
   EXPECT_EQ(1.0, area);
 }
 
+TEST(Markers, showRoundRegionsByTheirDimensions)
+{
+  Region region = regionWithSides(0.0, 0.0, 0.0);
+  const auto drawn = [&region](std::uint8_t type, std::vector<double> dimensions) {
+    region.solid.type = type;
+    region.solid.dimensions = std::move(dimensions);
+    return inNamespace(draw(region), "region");
+  };
+  const Markers sphere = drawn(shape_msgs::SolidPrimitive::SPHERE, { 0.5 });
+  ASSERT_EQ(1U, ofType(sphere, Marker::SPHERE).size());
+  EXPECT_EQ(1.0, ofType(sphere, Marker::SPHERE)[0].scale.z);
+  const Markers cylinder = drawn(shape_msgs::SolidPrimitive::CYLINDER, { 2.0, 0.5 });
+  ASSERT_EQ(1U, ofType(cylinder, Marker::CYLINDER).size());
+  EXPECT_EQ(1.0, ofType(cylinder, Marker::CYLINDER)[0].scale.x);
+  EXPECT_EQ(2.0, ofType(cylinder, Marker::CYLINDER)[0].scale.z);
+  const Markers disc = drawn(shape_msgs::SolidPrimitive::CYLINDER, { 0.0, 0.5 });
+  EXPECT_TRUE(ofType(disc, Marker::CYLINDER).empty()) << "no thickness: triangles";
+  ASSERT_EQ(1U, ofType(disc, Marker::TRIANGLE_LIST).size());
+  for (const auto& point : ofType(disc, Marker::TRIANGLE_LIST)[0].points)
+    EXPECT_LE(std::hypot(point.x, point.y), 0.5 + 1e-12);
+  for (const Markers& markers : { sphere, cylinder, disc })
+    EXPECT_EQ(1U, ofType(markers, Marker::TEXT_VIEW_FACING).size());
+}
+
 TEST(Markers, putBoxesOfOneSizeIntoOneList)
 {
   const Paving paving = smallPaving();

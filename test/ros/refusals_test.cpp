@@ -33,8 +33,10 @@ class Refusals : public testing::TestWithParam<BadRequest>
 
 const BadRequest BAD_REQUESTS[] = {
   { "shape of another name", [](auto& q) { q.shape = "blob"; },
-    "shape = 'blob' must be cube, square, box, sphere or disc" },
+    "shape = 'blob' must be cube, square, box, sphere, disc or cylinder" },
   { "proportions of a cube", [](auto& q) { q.proportions.x = 2.0; }, "proportions = \\(2, 0, 0\\).* box only.* cube" },
+  { "ratio of a cube", [](auto& q) { q.ratio_min = q.ratio_max = 1.0; }, "ratio is for .*cylinder only.* cube" },
+  { "cylinder without a ratio", [](auto& q) { q.shape = "cylinder"; }, "cylinder needs a ratio" },
   { "negative proportion",
     [](auto& q) {
       q.shape = "box";

@@ -125,6 +125,24 @@ TEST(ComputeLargestRegion, findsSquaresAndBoxes)
   EXPECT_GT(square.region.size_upper_bound, 2.0 * box.region.size);
 }
 
+TEST(ComputeLargestRegion, findsRoundShapes)
+{
+  RegionRequest query;
+  query.shape = RegionRequest::SPHERE;
+  const auto sphere = compute(query);
+  expectProven(sphere, 1e-3);
+  EXPECT_EQ(shape_msgs::SolidPrimitive::SPHERE, sphere.region.solid.type);
+  EXPECT_EQ(std::vector<double>{ sphere.region.size }, sphere.region.solid.dimensions);
+
+  query.shape = RegionRequest::CYLINDER;
+  query.ratio_min = query.ratio_max = 0.5;
+  const auto cylinder = compute(query);
+  expectProven(cylinder, 1e-3);
+  EXPECT_EQ(shape_msgs::SolidPrimitive::CYLINDER, cylinder.region.solid.type);
+  EXPECT_EQ((std::vector<double>{ cylinder.region.size, 0.5 * cylinder.region.size }),
+            cylinder.region.solid.dimensions);
+}
+
 TEST(ComputeLargestRegion, keepsTheCenterInTheSearchBox)
 {
   RegionRequest query;

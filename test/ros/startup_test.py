@@ -12,8 +12,8 @@ from node_process import NAME, NodeProcess, urdf
 NAN = float("nan")
 
 BAD_PARAMETERS = [
-    ({"shape": "blob"}, r"shape = 'blob' must be cube, square, box, sphere or disc"),
-    ({"shape": 3}, r"shape = 3 must be a text: cube, square, box, sphere or disc"),
+    ({"shape": "blob"}, r"shape = 'blob' must be cube, square, box, sphere, disc or cylinder"),
+    ({"shape": 3}, r"shape = 3 must be a text: cube, square, box, sphere, disc or cylinder"),
     ({"shape": "box", "proportions": [1, 2]}, r"proportions = \{1,2\} must be three numbers"),
     ({"shape": "box", "proportions": [1, 0, -1]}, r"proportions \( ?1 +0 +-1\).* must be"),
     ({"proportions": [1, 2, 3]}, r"proportions = \(1, 2, 3\).*box only"),

@@ -22,8 +22,9 @@ namespace pkm_workspace
 class CenterSearch
 {
 public:
+  /// @param known only regions larger than this are looked for; where there is none, the size found is 0
   /// @throws std::invalid_argument when the centers or the size are unbounded
-  CenterSearch(const Machine& machine, const RegionQuery& query);
+  CenterSearch(const Machine& machine, const RegionQuery& query, double known = 0.0);
 
   /// Runs to the end or to the budget. Everything is filled in but the joint ranges.
   LargestRegion run();
@@ -74,6 +75,7 @@ private:
   double scale_;     ///< the longest strut [m]
   double accuracy_;  ///< the query's, or the finest that doubles are tried at
   Candidate incumbent_;
+  bool found_ = false;            ///< whether the incumbent is more than what was known
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
   double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
   std::priority_queue<Node> open_;

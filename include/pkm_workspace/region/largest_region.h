@@ -25,10 +25,18 @@ struct RegionProgress
   double seconds = 0.0;
 };
 
+/// Ratios of radius over height that a cylinder may have.
+struct RatioRange
+{
+  double lower;
+  double upper;
+};
+
 /// What to look for. Values with defaults; validate() tells what is wrong.
 struct RegionQuery
 {
   ShapePtr shape = makeCube();
+  std::optional<RatioRange> ratio;  ///< of a cylinder whose ratio is free: then the largest volume counts
   Criterion criterion;
   double accuracy = 1e-3;         ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
   std::optional<Box> search_box;  ///< bounds the center [m]; a side may have zero width
@@ -37,6 +45,11 @@ struct RegionQuery
 
   void validate(Problems& problems) const;
 };
+
+/// Sets shape and ratio of a query by name. @param proportions of a box @param ratio of a cylinder, 1e-6 to 1e6
+/// @throws std::invalid_argument for an unknown name, for what is missing, out of range, or of another shape
+void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
+              const std::optional<RatioRange>& ratio, RegionQuery& query);
 
 struct LargestRegion
 {
@@ -48,6 +61,7 @@ struct LargestRegion
   };
 
   Status status = Status::STOPPED;
+  ShapePtr shape;                                    ///< the query's, or the cylinder of the ratio that was found
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< [m], in the machine's root frame; meaningless when size is 0
   double size = 0.0;                                 ///< certified: c + size K satisfies the criterion
   double size_upper_bound = 0.0;           ///< certified: no such region is larger, anywhere in the search box
@@ -57,6 +71,9 @@ struct LargestRegion
   double seconds = 0.0;
   std::string message;  ///< one sentence: what ended the search, what to do about it
 };
+
+/// Sets status and message by the bounds. @param stopped whether a budget or the stop flag ended the search
+void conclude(LargestRegion& region, double accuracy, bool stopped);
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; design, section 3). The search is over all centers of the workspace in the machine's aspect, or
