@@ -164,12 +164,14 @@ private:
     Mask holds = !everywhere();
     if (question.is_limited)
     {
-      // S - y slack v v^T definite on the box: S is, where the slack is not negative
+      // S - slack Y definite on the box: S is, where the slack is not negative. Y = y (v v^T + margin I), of which the
+      // margin keeps Y semidefinite after the roundings of its entries.
       const Real y = multiplier(form, question.slack);
+      const Real margin = Real(16.0) * rounding::roundoff<Real>();
       SymmetricForms<Real> less = matrix;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        less[k] = lowered(less[k], y * v[k] * v[k], question.slack);
+        less[k] = lowered(less[k], y * (v[k] * v[k] + margin), question.slack);
         less[3 + k] = lowered(less[3 + k], y * v[(k + 1) % 3] * v[(k + 2) % 3], question.slack);
       }
       holds = isPositiveDefinite(less);
