@@ -39,8 +39,8 @@ Interval power(const Interval& x, int exponent)
 void addSingularities(const Singularities& found, const std::string& key, const std::string& where,
                       std::vector<Figure>& figures)
 {
-  figures.push_back({ key + "_least_eta", "least |eta| " + where, 1, least(found.serial).least });
-  figures.push_back({ key + "_least_det_a", "least |det A| " + where, 3, found.parallel.least });
+  figures.push_back({ key + "_least_eta", "least |eta| [m] " + where, 1, least(found.serial).least });
+  figures.push_back({ key + "_least_det_a", "least |det A| [m^3] " + where, 3, found.parallel.least });
 }
 }  // namespace
 

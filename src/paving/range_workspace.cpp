@@ -73,7 +73,7 @@ private:
       query.budget.time_limit = std::max(1e-9, query.budget.time_limit - seconds());
     const Paving paving = pave(machine_, query);
     boxes_ += paving.boxes;
-    return reachableVolume(machine_, query.criterion, paving);
+    return reachableVolume(machine_, query.criterion, paving, query.budget);
   }
 
   const Machine machine_;

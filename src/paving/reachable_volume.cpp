@@ -13,6 +13,8 @@ using Form = AffineForm<double>;
 
 /// Slopes below this share of the steepest one count as an error: the formula divides by each slope.
 constexpr double FLAT = 1e-3;
+/// Boxes that a thread takes at a time.
+constexpr std::size_t CHUNK = 256;
 
 Interval withinShares(const Interval& x)
 {
@@ -105,20 +107,26 @@ Interval shareAbove(const Interval& constant, const std::array<double, 3>& slope
   return hull(shareAbove(Interval(start.lower()), kept), shareAbove(Interval(start.upper()), kept));
 }
 
-Interval reachableVolume(const Machine& machine, const Criterion& criterion, const Paving& paving)
+Interval reachableVolume(const Machine& machine, const Criterion& criterion, const Paving& paving, const Budget& budget)
 {
   if (criterion.set != Criterion::Set::REACHABLE)
     throw std::invalid_argument("the volume between planes is known for reachable sets only");
   const MachineModel<double> model(machine, criterion);
+  ThreadPool pool(budget.threads);
   const BoxTree& tree = paving.tree;
   Interval volume = paving.volume_inside;
   const auto boundary = tree.boxes(CellState::BOUNDARY);
   for (std::size_t level = 0; level < boundary.size(); ++level)
   {
-    Interval share;
-    for (const Box& box : boundary[level])
-      share += shareOfSet(model, box);
-    volume += share * tree.bisection().volume(level);
+    const std::vector<Box>& boxes = boundary[level];
+    std::vector<Interval> shares((boxes.size() + CHUNK - 1) / CHUNK);
+    pool.forEach(shares.size(), [&](std::size_t chunk) {
+      const bool stopped = budget.isOver(0.0);
+      for (std::size_t k = chunk * CHUNK; k < std::min(boxes.size(), (chunk + 1) * CHUNK); ++k)
+        shares[chunk] += stopped ? Interval(0.0, 1.0) : shareOfSet(model, boxes[k]);
+    });
+    for (const Interval& share : shares)
+      volume += share * tree.bisection().volume(level);
   }
   const Interval pending = tree.volume(CellState::PENDING);
   return volume + Interval(0.0, pending.upper());

@@ -139,6 +139,31 @@ TEST(Singularity, noneInTheUranesxSquare)
   expectBounds(uranesx(), *query.box, found, [](const Configuration&) { return true; });
 }
 
+// values.md: the largest sphere. The bounds are those of the sphere, not of the box around it.
+TEST(Singularity, noneInTheOrthoglidesSphere)
+{
+  const Vector3d center = Vector3d::Constant(0.0705);
+  const ShapePtr sphere = makeSphere();
+  const Singularities found = findSingularities(orthoglide(), singularitiesOver(sphere, center, 0.5303));
+  SingularityQuery whole;
+  whole.box = sphere->boundingBox(center, 0.5303);
+  const Singularities around = findSingularities(orthoglide(), whole);
+  EXPECT_EQ(found.parallel.status, Status::NONE);
+  EXPECT_GT(found.parallel.least.lower(), around.parallel.least.upper());
+  test::RandomBoxes random(SEED);
+  for (int k = 0; k < test::cases(2000); ++k)
+  {
+    const Vector3d point = random.pointIn(*whole.box);
+    if ((point - center).norm() > 0.5303)
+      continue;
+    const auto at = configurationAt(orthoglide(), point);
+    ASSERT_TRUE(at);
+    EXPECT_GE(at->det_a.upper(), found.parallel.least.lower()) << "seed " << SEED << ", point " << point.transpose();
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_GE(abs(at->eta[i]).upper(), found.serial[i].least.lower());
+  }
+}
+
 TEST(Singularity, noPointWithinLimitsBeatsTheBounds)
 {
   for (const Machine& kind : test::everyKind())
