@@ -27,15 +27,19 @@ void MachineOptions::declare(Options& options)
   });
 }
 
-void ShapeOptions::declare(Options& options, ShapePtr& shape)
+void ShapeOptions::declare(Options& options, RegionQuery& query)
 {
-  options.choice("shape", name_, shapeNames(), "what to look for; flat shapes lie in the plane xy");
+  Words names = shapeNames();
+  names.push_back("cylinder");
+  options.choice("shape", name_, names, "what to look for; a square and a disc lie in the plane xy");
   options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
                  "of a box: its sides are size A, size B and size C, in metres");
-  options.check({ "shape", "proportions" }, [this, &shape](Problems& problems) {
+  options.range("ratio", ratio_, NUMBER_POSITIVE,
+                "of a cylinder: least and largest radius over height; the one of the largest volume is found");
+  options.check({ "shape", "proportions", "ratio" }, [this, &query](Problems& problems) {
     try
     {
-      shape = makeShape(name_, proportions_);
+      setShape(name_, proportions_, ratio_, query);
     }
     catch (const std::invalid_argument& reason)
     {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "options.h"
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -27,16 +27,17 @@ private:
   std::optional<UrdfMachine> urdf_;
 };
 
-/// --shape, --proportions.
+/// --shape, --proportions, --ratio.
 class ShapeOptions
 {
 public:
-  /// @param shape what is given, or the cube
-  void declare(Options& options, ShapePtr& shape);
+  /// Sets the shape and ratio of the query.
+  void declare(Options& options, RegionQuery& query);
 
 private:
   std::string name_ = "cube";
   std::optional<Eigen::Vector3d> proportions_;
+  std::optional<RatioRange> ratio_;
 };
 
 /// --psi-min, --psi-max, --joint-limits.

@@ -33,7 +33,7 @@ Json jsonOf(const Study& study)
 {
   const bool found = study.region.size > 0.0;
   Json json = contextOf(study.machine, study.query.criterion);
-  json["shape"] = study.query.shape->name();
+  json["shape"] = study.region.shape->name();
   json["accuracy"] = study.query.accuracy;
   json["center"] = found ? toJson(study.region.center) : Json();
   json["size"] = study.region.size;
@@ -121,7 +121,7 @@ public:
     options.repeated("urdf", "FILE", "URDF of a machine: three branches, cut at the platform",
                      [this](const std::string& path) { urdfs_.push_back(readUrdfFile(path)); });
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
-    shape_.declare(options, query_.shape);
+    shape_.declare(options, query_);
     declareCriterion(options, query_.criterion);
     options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
                    "largest difference between the proved size and its upper bound");
@@ -130,12 +130,13 @@ public:
       if (paper_ != urdfs_.empty())
         problems.push_back("give either --urdf FILE, once for each machine, or --paper");
     });
-    options.check({ "paper", "shape", "proportions", "psi-min", "psi-max", "joint-limits" }, [this, &options](
-                                                                                                 Problems& problems) {
-      for (const char* name : { "shape", "proportions", "psi-min", "psi-max", "joint-limits" })
-        if (paper_ && options.given(name))
-          problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
-    });
+    options.check(
+        { "paper", "shape", "proportions", "ratio", "psi-min", "psi-max", "joint-limits" },
+        [this, &options](Problems& problems) {
+          for (const char* name : { "shape", "proportions", "ratio", "psi-min", "psi-max", "joint-limits" })
+            if (paper_ && options.given(name))
+              problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
+        });
   }
 
   Words warnings() const override
@@ -163,7 +164,7 @@ private:
     {
       studies.push_back(studyOf(urdf.machine, query_, VOLUME_ACCURACY));
       json["machines"].push_back(jsonOf(studies.back()));
-      regions += wrapped("Largest " + query_.shape->name() + " of machine '" + urdf.machine.name() +
+      regions += wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() +
                          "': " + studies.back().region.message);
     }
     return { json, regions + "\n" + table(studies) + "\n" + singularities(studies) + "\n" +

@@ -70,7 +70,8 @@ Study studyOf(const Machine& machine, const RegionQuery& query, double volume_ac
     of.budget.max_boxes = budget.max_boxes > 0 ? std::min(most, budget.max_boxes) : most;
     return findSingularities(in, of);
   };
-  study.in_region = singularities(machine, singularitiesOver(query.shape, study.region.center, study.region.size));
+  study.in_region =
+      singularities(machine, singularitiesOver(study.region.shape, study.region.center, study.region.size));
   SingularityQuery in_ranges;
   in_ranges.joint_limits = true;
   study.in_ranges = singularities(withJointLimits(machine, study.ranges), in_ranges);
@@ -91,7 +92,7 @@ std::vector<Figure> figuresOf(const Study& study)
   const LargestRegion& region = study.region;
   if (!(region.size > 0.0))
     return {};
-  const Shape& shape = *study.query.shape;
+  const Shape& shape = *region.shape;
   Interval strut = study.machine.leg(0).length;
   for (const Leg& leg : study.machine.legs())
     strut = { std::max(strut.lower(), leg.length.lower()), std::max(strut.upper(), leg.length.upper()) };

@@ -65,6 +65,14 @@ class Compare(CommandTest):
         for stroke, across in zip(answer[0]["figures"]["stroke"], answer[0]["figures"]["across"]):
             self.assertAlmostEqual(stroke, across, delta=1e-14)  # only eta changes in a plane across the rails
 
+    def test_cylinder_of_free_ratio(self):
+        answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--shape", "cylinder", "--ratio", 0.4, 0.8)["machines"][0]
+        self.assertEqual(answer["shape"], "cylinder")
+        height, volume = answer["size"], answer["figures"]["region_volume"][0]
+        self.assertTrue(0.4 <= math.sqrt(volume / (math.pi * height**3)) <= 0.8)
+        for found in answer["singularities"]["region"].values():
+            self.assertIs(found["exists"], False)
+
     def test_no_region_has_no_figures(self):
         answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--psi-min", 1.2, "--psi-max", 1.3)["machines"][0]
         self.assertEqual(answer["size"], 0)

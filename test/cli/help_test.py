@@ -20,7 +20,8 @@ OPTIONS = {
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box"},
-    "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "accuracy"},
+    "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "ratio",
+                                                               "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 
