@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
+#include "pave_answer.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/paving/paving_file.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -12,15 +16,7 @@ namespace cli
 {
 namespace
 {
-Json volumesOf(const Paving& paving)
-{
-  return { { "volume_lower", paving.volumeLower() }, { "volume_upper", paving.volumeUpper() } };
-}
-
-std::string volumes(const Json& json)
-{
-  return bracket(json["volume_lower"], json["volume_upper"]) + " m^3";
-}
+constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
 
 class Pave : public Command
 {
@@ -29,14 +25,21 @@ public:
   {
     return "Approximates the dextrous or the reachable set by boxes: boxes inside are proved to belong to it, "
            "boxes at the border are undecided at the resolution, and all else is proved not to belong to it. "
-           "The volume of the set is proved to lie between two numbers. The reachable set is told for the "
-           "machine's own aspect (sign of det A) and for the other one, too, in runs of their own that share "
-           "the time limit. Ctrl-C ends it with what is proved.";
+           "The volume of the set is proved to lie between two numbers; it is told for the machine's own aspect "
+           "(sign of det A) and for the other one, too, in runs of their own that share the limits of time and "
+           "memory. Where nothing changes along the rails, without a box, it is the area of the section across "
+           "them that is told. Ctrl-C ends it with what is proved. "
+           "With --json: volume_lower and volume_upper [m^3] (area_lower and area_upper [m^2] where dimension is 2) of "
+           "the dextrous set in the machine's own aspect, or of the reachable set in both, and of each aspect in "
+           "own_aspect and other_aspect; of that first set resolution [m], box [m], and boxes, boxes_here (looked at "
+           "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending.";
   }
 
   Words examples() const override
   {
-    return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05",
+    return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05 --save paving.pkm",
+             "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.02 --resume paving.pkm",
+             "pkm pave --urdf uranesx.urdf --resolution 0.01",
              "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1 --joint-limits on" };
   }
 
@@ -46,14 +49,20 @@ public:
     options.choice("set", set_, { "dextrous", "reachable" }, "what to approximate");
     options.number("resolution", query_.resolution, LENGTH_POSITIVE,
                    "boxes no wider than this are not divided further");
-    options.box("box", query_.box, "what to look at; without it, the whole workspace");
+    options.box("box", query_.box,
+                "what to look at; without it, the whole workspace, or its section through the zero configuration "
+                "where nothing changes along the rails");
     declareCriterion(options, query_.criterion);
     declareBudget(options, query_.budget);
+    options.count("max-memory", query_.max_memory, MOST_BYTES,
+                  "bytes that boxes may take before it ends with the best proved so far; without it, no limit");
+    options.text("save", save_, "FILE", "file to write the boxes to, with those left open; a file there is replaced");
+    options.text(
+        "resume", resume_, "FILE",
+        "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
+        "the answer is what a new run gives");
     options.flag("progress", progress_, PROGRESS_HELP);
-    options.check({ "set", "psi-min", "psi-max" }, [this, &options](Problems& problems) {
-      if (set_ == "reachable" && (options.given("psi-min") || options.given("psi-max")))
-        problems.push_back("a reachable set has no transmission factors: leave them out");
-    });
+    declareConditions(options);
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -61,85 +70,94 @@ public:
   Answer answer() override
   {
     query_.budget.stop = stopOnSignal();
-    const bool reachable = set_ == "reachable";
-    if (reachable)
-    {
-      query_.criterion.set = Criterion::Set::REACHABLE;
-      query_.budget.time_limit /= 3.0;
-    }
-    const Paving paving = run(reachable ? Criterion::Aspect::BOTH : Criterion::Aspect::OWN);
-    Json json = toJson(paving);
-    if (reachable)
-    {
-      const Paving own = run(Criterion::Aspect::OWN);
-      const Paving other = run(Criterion::Aspect::OTHER);
-      json["own_aspect"] = volumesOf(own);
-      json["other_aspect"] = volumesOf(other);
-      json["seconds"] = paving.seconds + own.seconds + other.seconds;
-      json["complete"] = paving.complete && own.complete && other.complete;
-    }
-    return { json, print(paving, json) };
+    const std::vector<PavingQuery> queries = this->queries();
+    std::vector<Paving> earlier;
+    if (!resume_.empty())
+      earlier = loadPavings(resume_, machine_.machine(), queries);
+    std::vector<Paving> pavings;
+    for (std::size_t k = 0; k < queries.size(); ++k)
+      pavings.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
+    if (!save_.empty())
+      savePavings(save_, pavings);
+    return answerOf(machine_.machine(), pavings, isSection());
   }
 
 private:
-  Paving run(Criterion::Aspect aspect)
+  void declareConditions(Options& options)
+  {
+    options.check({ "set", "psi-min", "psi-max" }, [this, &options](Problems& problems) {
+      if (set_ == "reachable" && (options.given("psi-min") || options.given("psi-max")))
+        problems.push_back("a reachable set has no transmission factors: leave them out");
+    });
+    options.check({ "max-memory" }, [this](Problems& problems) {
+      if (query_.max_memory != 0 && shared(query_.max_memory) < PavingQuery::LEAST_MEMORY)
+        problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
+                           std::to_string(PavingQuery::LEAST_MEMORY) + " bytes each");
+    });
+    options.check({ "save" }, [this](Problems& problems) {
+      try
+      {
+        if (!save_.empty())
+          checkWritable(save_);
+      }
+      catch (const std::invalid_argument& reason)
+      {
+        problems.push_back(reason.what());
+      }
+    });
+  }
+
+  /// What is told of each set: first the set itself, then its part in each aspect.
+  std::vector<Criterion::Aspect> aspects() const
+  {
+    using Aspect = Criterion::Aspect;
+    if (set_ == "reachable")
+      return { Aspect::BOTH, Aspect::OWN, Aspect::OTHER };
+    return { Aspect::OWN, Aspect::OTHER };
+  }
+
+  template <class Number>
+  Number shared(Number limit) const
+  {
+    return limit / static_cast<Number>(aspects().size());
+  }
+
+  bool isSection() const { return !query_.box && slidesAlongRails(machine_.machine(), query_.criterion); }
+
+  std::vector<PavingQuery> queries() const
+  {
+    std::vector<PavingQuery> queries;
+    for (const Criterion::Aspect aspect : aspects())
+    {
+      PavingQuery query = query_;
+      query.criterion.set = set_ == "reachable" ? Criterion::Set::REACHABLE : Criterion::Set::DEXTROUS;
+      query.criterion.aspect = aspect;
+      query.budget.time_limit = shared(query_.budget.time_limit);
+      query.max_memory = shared(query_.max_memory);
+      queries.push_back(query);
+    }
+    return queries;
+  }
+
+  Paving run(PavingQuery query, const Paving* earlier) const
   {
     Progress progress(progress_);
-    PavingQuery query = query_;
-    query.criterion.aspect = aspect;
-    query.progress = [&progress](const PavingProgress& state) {
-      progress.tell(state.seconds, "volume inside " + nearly(state.volume_inside) + " m^3, undecided " +
-                                       nearly(state.volume_boundary) + " m^3, " + std::to_string(state.boxes) +
-                                       " boxes");
+    const Measure measure(query.box ? *query.box : defaultBox(machine_.machine(), query.criterion));
+    query.progress = [&progress, &measure](const PavingProgress& state) {
+      progress.tell(state.seconds, measure.name + " inside " + nearly(state.volume_inside) + measure.unit +
+                                       ", undecided " + nearly(state.volume_boundary) + measure.unit + ", " +
+                                       std::to_string(state.boxes) + " boxes, " + nearly(state.boxesPerSecond(), 3) +
+                                       " boxes/s");
     };
-    return pave(machine_.machine(), query);
-  }
-
-  Json toJson(const Paving& paving) const
-  {
-    Json json = contextOf(machine_.machine(), query_.criterion);
-    json.update(volumesOf(paving));
-    json["set"] = set_;
-    json["resolution"] = query_.resolution;
-    json["box"] = cli::toJson(paving.box);
-    json["boxes"] = paving.boxes;
-    json["boxes_inside"] = paving.tree.count(CellState::INSIDE);
-    json["boxes_boundary"] = paving.tree.count(CellState::BOUNDARY);
-    json["boxes_pending"] = paving.tree.count(CellState::PENDING);
-    json["seconds"] = paving.seconds;
-    json["complete"] = paving.complete;
-    return json;
-  }
-
-  std::string print(const Paving& paving, const Json& json) const
-  {
-    std::vector<Words> rows = { { "volume", volumes(json) } };
-    if (json.contains("own_aspect"))
-    {
-      rows.push_back({ "own aspect", volumes(json["own_aspect"]) });
-      rows.push_back({ "other aspect", volumes(json["other_aspect"]) });
-    }
-    rows.push_back({ "inside", std::to_string(paving.tree.count(CellState::INSIDE)) + " boxes" });
-    rows.push_back(
-        { "boundary", std::to_string(paving.tree.count(CellState::BOUNDARY)) + " boxes, undecided at the resolution" });
-    rows.push_back({ "pending", std::to_string(paving.tree.count(CellState::PENDING)) + " boxes, not looked at" });
-    rows.push_back({ "box", "from " + describe(paving.box.lower) + " to " + describe(paving.box.upper) });
-    rows.push_back({ "resolution", exact(query_.resolution) + " m" });
-    rows.push_back({ "effort", std::to_string(paving.boxes) + " boxes, " + seconds(json["seconds"]) });
-    return "Paving of the " + set_ + " set of machine '" + machine_.machine().name() + "'\n\n" +
-           aligned(rows, Align::LEFT) + "\n" + wrapped(proof(json)) + wrapped(definition(query_.criterion));
-  }
-
-  std::string proof(const Json& json) const
-  {
-    return "Proved: the " + set_ + " points of the box have a volume of " + volumes(json) + "." +
-           (json["complete"].get<bool>() ? "" : " A budget or a signal ended it early: more time gives closer bounds.");
+    return earlier ? resume(machine_.machine(), query, *earlier) : pave(machine_.machine(), query);
   }
 
   MachineOptions machine_;
   PavingQuery query_;
   bool progress_ = false;
   std::string set_ = "dextrous";
+  std::string save_;
+  std::string resume_;
 };
 }  // namespace
 

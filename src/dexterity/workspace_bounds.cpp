@@ -58,7 +58,6 @@ Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
   const IntervalVector q = offsetAcross(machine, i, cylinderRadius(leg, criterion));
   return boundingBox(machine.center(i) + q + (leg.limits + eta) * leg.axis);
 }
-
 }  // namespace
 
 Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
@@ -88,6 +87,34 @@ Box boundsOfSet(const Machine& machine, const Criterion& criterion)
   return bounds;
 }
 
+bool slidesAlongRails(const Machine& machine, const Criterion& criterion)
+{
+  return machine.hasParallelRails() && !(criterion.joint_limits && machine.hasJointLimits());
+}
+
+int mainAxisOfRails(const Machine& machine)
+{
+  int axis = 0;
+  mid(machine.leg(0).axis).cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+Box boundsAcrossRails(const Machine& machine, const Criterion& criterion, int axis, double level)
+{
+  Box bounds = EVERYWHERE;
+  const auto k = static_cast<std::size_t>(axis);
+  for (int i = 0; i < 3; ++i)
+  {
+    // one leg and the plane: t = (level - c_axis - q_axis) / e_axis
+    const IntervalVector& e = machine.leg(i).axis;
+    const IntervalVector q = offsetAcross(machine, i, cylinderRadius(machine.leg(i), criterion));
+    const Interval along = (Interval(level) - machine.center(i)[k] - q[k]) / e[k];
+    bounds = intersection(bounds, boundingBox(machine.center(i) + q + along * e));
+  }
+  bounds.lower[axis] = bounds.upper[axis] = level;
+  return bounds;
+}
+
 bool isBounded(const Box& box, const Machine& machine)
 {
   return (box.upper - box.lower).maxCoeff() <= LONGEST * machine.scale();
@@ -108,5 +135,4 @@ Box workspaceBounds(const Machine& machine, const Criterion& criterion)
     throwUnbounded("ask for joint limits or give a box");
   return bounds;
 }
-
 }  // namespace pkm_workspace

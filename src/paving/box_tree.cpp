@@ -49,11 +49,17 @@ Box Bisection::box(const Cell& cell, std::size_t level) const
   return result;
 }
 
+int Bisection::dimension() const
+{
+  return static_cast<int>(((root_.upper - root_.lower).array() > 0.0).count());
+}
+
 Interval Bisection::volume(std::size_t level) const
 {
-  Interval volume(1.0);
+  Interval volume(dimension() > 0 ? 1.0 : 0.0);
   for (std::size_t k = 0; k < 3; ++k)
-    volume *= sides_[k].length(halvings_[level][k]);
+    if (sides_[k].width(0) > 0.0)
+      volume *= sides_[k].length(halvings_[level][k]);
   return volume;
 }
 

@@ -19,7 +19,7 @@ OPTIONS = {
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
-    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box", "max-memory", "save", "resume"},
     "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "ratio",
                                                                "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},

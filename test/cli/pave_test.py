@@ -10,11 +10,13 @@ import subprocess
 import unittest
 from fractions import Fraction
 
-from pkm import MACHINES, ORTHOGLIDE, PKM, URANESX, CommandTest
+from pkm import MACHINES, ORTHOGLIDE, PKM, URANESX, CommandTest, run
 
 REACHABLE = 8 * (2 - math.sqrt(2))  # unit Orthoglide, both aspects [m^3]
 REACHABLE_OWN = 4.227  # and the machine's own one, by a search
 DEXTROUS = 1.632  # volume with psi in [0.5, 2], by a search that is good to 0.001
+DEXTROUS_OTHER = 0.0059  # and in the other aspect
+REFUSED = r"(?m)^pkm: \S*it.paving: the paving is refused: "
 
 
 class Pave(CommandTest):
@@ -29,7 +31,10 @@ class Pave(CommandTest):
         for resolution in (0.1, 0.05, 0.025):
             answer = self.pave(ORTHOGLIDE, "--resolution", resolution)
             self.assertVolume(answer, DEXTROUS, 1e-3)
+            self.assertVolume(answer["own_aspect"], DEXTROUS, 1e-3)
+            self.assertVolume(answer["other_aspect"], DEXTROUS_OTHER, 1e-4)
             self.assertIs(answer["complete"], True)
+            self.assertEqual(answer["dimension"], 3)
             self.assertEqual(answer["boxes_pending"], 0)
             self.assertEqual(answer["resolution"], resolution)
             widths.append(answer["volume_upper"] - answer["volume_lower"])
@@ -65,15 +70,70 @@ class Pave(CommandTest):
                 self.assertLess(limited["volume_upper"], REACHABLE)
 
     def test_budget_ends_with_an_honest_bracket(self):
-        answer = self.pave(ORTHOGLIDE, "--max-boxes", 1000)
-        self.assertIs(answer["complete"], False)
-        self.assertGreater(answer["boxes_pending"], 0)
-        self.assertVolume(answer, DEXTROUS, 1e-3)
+        for budget in (("--max-boxes", 1000), ("--max-memory", 100000), ("--time-limit", 1e-6)):
+            with self.subTest(budget):
+                answer = self.pave(ORTHOGLIDE, *budget)
+                self.assertIs(answer["complete"], False)
+                self.assertGreater(answer["boxes_pending"], 0)
+                self.assertVolume(answer, DEXTROUS, 1e-3)
+
+    def test_uranesx_without_a_box_is_a_plane(self):
+        words = ("--resolution", 0.01)
+        area, text = self.pave(URANESX, *words), self.text("pave", "--urdf", URANESX, *words)
+        self.assertEqual(area["dimension"], 2)
+        self.assertEqual(area["box"]["lower"][2], area["box"]["upper"][2])
+        self.assertNotIn("volume_lower", area)
+        self.assertEqual(area["own_aspect"]["area_lower"], area["area_lower"])
+        self.assertEqual(area["other_aspect"]["area_upper"], 0)
+        self.assertRegex(text, r"area +\S+ to \S+ m\^2\n")
+        self.assertRegex(text, "points of the box have an area of(.|\n)*in every\\s+plane parallel")
+        x0, y0, z = area["box"]["lower"]
+        x1, y1, _ = area["box"]["upper"]
+        solid = self.pave(URANESX, *words, "--box", x0, x1, y0, y1, z, z + 0.1)
+        self.assertEqual(solid["dimension"], 3)
+        self.assertLessEqual(solid["volume_lower"], 0.1 * area["area_upper"])
+        self.assertGreaterEqual(solid["volume_upper"], 0.1 * area["area_lower"])
+
+    def test_resumed_run_answers_as_a_new_one(self):
+        file = self.folder / "it.paving"
+        for urdf, words in ((ORTHOGLIDE, ()), (ORTHOGLIDE, ("--set", "reachable")), (URANESX, ())):
+            with self.subTest((urdf, words)):
+                first = self.pave(urdf, *words, "--resolution", 0.1, "--max-boxes", 3000, "--save", file)
+                again = self.pave(urdf, *words, "--resolution", 0.04, "--resume", file, "--save", file)
+                fresh = self.pave(urdf, *words, "--resolution", 0.04)
+                self.assertEqual(again["boxes_here"], fresh["boxes"] - first["boxes"])
+                for answer in (again, fresh):
+                    del answer["boxes_here"], answer["seconds"]
+                self.assertEqual(again, fresh)
+                text = self.text("pave", "--urdf", urdf, *words, "--resolution", 0.04, "--resume", file)
+                self.assertRegex(text, r"effort +\d+ boxes \(0 of them in this run\)")
+                self.assertEqual([path.name for path in self.folder.iterdir()], ["it.paving"])
+
+    def test_file_about_something_else_is_refused(self):
+        file = self.folder / "it.paving"
+        self.pave(ORTHOGLIDE, "--resolution", 0.2, "--save", file)
+        content = file.read_bytes()
+
+        def refusal(urdf, *words):
+            process = run("pave", "--urdf", urdf, "--resolution", 0.1, "--resume", file, *words)
+            self.assertEqual(process.returncode, 2)
+            self.assertEqual(process.stdout, "")
+            return process.stderr
+
+        hashes = [self.answer("evaluate", "--urdf", urdf, "--point", 0, 0, -0.8)["geometry_hash"]
+                  for urdf in (ORTHOGLIDE, URANESX)]
+        self.assertRegex(refusal(URANESX), REFUSED + f"geometry hash: .*{hashes[0]}.*{hashes[1]}")
+        self.assertRegex(refusal(ORTHOGLIDE, "--psi-max", 3), REFUSED + r"criterion: .*\[0.5, 2\].*\[0.5, 3\]")
+        self.assertRegex(refusal(ORTHOGLIDE, "--box", 0, 1, 0, 1, 0, 1), REFUSED + "box: ")
+        file.write_bytes(content[:-100])
+        self.assertRegex(refusal(ORTHOGLIDE), REFUSED + "it has .* bytes .*cut")
+        file.write_bytes(content[:-100] + b"x" + content[-99:])
+        self.assertRegex(refusal(ORTHOGLIDE), REFUSED + "its checksum does not fit: it was altered")
 
     def test_interrupt_ends_with_what_is_proved(self):
         process = subprocess.Popen([PKM, "pave", "--urdf", ORTHOGLIDE, "--resolution", "1e-4", "--progress", "--json"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.assertRegex(process.stderr.readline(), r"^\d+ s: volume inside .* boxes$")  # it is under way
+        self.assertRegex(process.stderr.readline(), r"^\d+ s: volume inside .* boxes, \S+ boxes/s$")  # it is under way
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate()
         self.assertEqual(process.returncode, 0)

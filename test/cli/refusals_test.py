@@ -5,7 +5,7 @@
 import subprocess
 import unittest
 
-from pkm import ORTHOGLIDE, PKM, URANESX, CommandTest, run
+from pkm import ORTHOGLIDE, PKM, CommandTest, run
 
 EVALUATE = f"evaluate --urdf {ORTHOGLIDE} "
 LARGEST = f"largest --urdf {ORTHOGLIDE} "
@@ -78,7 +78,13 @@ REFUSALS = [
     (PAVE + "--set all", "--set all: 'all' is not known; allowed: dextrous, reachable"),
     (PAVE + "--set reachable --psi-min 0.6", "--set reachable, --psi-min 0.6: a reachable set has no"),
     (PAVE + "--box 1 0 0 1 0 1", "--box .*: 1 m is above 0 m; allowed: X0 <= X1"),
-    (f"pave --urdf {URANESX}", "rails are parallel.*joint limits.*box"),
+    (PAVE + "--max-memory 0", "--max-memory 0: 0 is out of range; allowed: from 1 to "),
+    (PAVE + "--max-memory 8191", "--max-memory 8191: too little for 2 runs of at least 4096 bytes each"),
+    (PAVE + "--max-memory 1e6", "--max-memory 1e6: '1e6' is not a whole number"),
+    (PAVE + "--save /no/such/folder/x", "--save /no/such/folder/x: .*cannot be written: No such"),
+    (PAVE + "--save /dev/full", "--save /dev/full: .*cannot be written: it is not a regular file"),
+    (PAVE + "--resume /no/such/file", "/no/such/file: cannot be read: No such"),
+    (PAVE + f"--resume {__file__}", f"{__file__}: the paving is refused: it is not a paving"),
     ("compare", "give either --urdf FILE, once for each machine, or --paper"),
     (COMPARE + "--paper", "--urdf .*, --paper: give either"),
     (COMPARE + "--urdf /no/such/file.urdf", "--urdf /no/such/file.urdf: .*No such file or directory"),

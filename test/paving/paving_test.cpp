@@ -3,47 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "support/cases.h"
+#include "paving/pavings.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
-#include "support/oracle.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260605;
-
-PavingQuery query(double resolution, Criterion::Set set = Criterion::Set::DEXTROUS,
-                  Criterion::Aspect aspect = Criterion::Aspect::OWN)
-{
-  PavingQuery query;
-  query.criterion.set = set;
-  query.criterion.aspect = aspect;
-  query.box = Box{ Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0) };
-  query.resolution = resolution;
-  return query;
-}
-
-using Boxes = std::vector<std::vector<Box>>;
-
-bool holds(const Boxes& levels, const Eigen::Vector3d& point)
-{
-  return std::any_of(levels.begin(), levels.end(), [&](const std::vector<Box>& boxes) {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(point); });
-  });
-}
-
-void expectSameBoxes(const Boxes& a, const Boxes& b)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t level = 0; level < a.size(); ++level)
-  {
-    ASSERT_EQ(a[level].size(), b[level].size());
-    for (std::size_t k = 0; k < a[level].size(); ++k)
-      ASSERT_TRUE(a[level][k].lower == b[level][k].lower && a[level][k].upper == b[level][k].upper) << k;
-  }
-}
+using test::query;
 }  // namespace
 
 // values.md: 8 (2 - sqrt 2) for both aspects together, 4.227 for the machine's own.
@@ -73,27 +41,6 @@ TEST(Paving, dextrousVolumeOfTheOrthoglide)
   EXPECT_GE(other.volumeUpper(), 0.0059);
 }
 
-TEST(Paving, coversTheSetAndNothingElseIsInside)
-{
-  for (const Machine& machine : { orthoglide(), test::crooked(7) })
-  {
-    const PavingQuery wanted = query(0.1);
-    const Paving paving = pave(machine, wanted);
-    const test::Oracle oracle(machine, wanted.criterion);
-    const Boxes inside = paving.tree.boxes(CellState::INSIDE);
-    const Boxes boundary = paving.tree.boxes(CellState::BOUNDARY);
-    test::RandomBoxes random(SEED);
-    for (int k = 0; k < test::cases(1000); ++k)
-    {
-      const Eigen::Vector3d point = random.pointIn(*wanted.box);
-      const bool good = oracle.isGood(point);
-      EXPECT_TRUE(!holds(inside, point) || good) << machine.name() << ", seed " << SEED << ", " << point.transpose();
-      EXPECT_TRUE(!good || holds(inside, point) || holds(boundary, point))
-          << machine.name() << ", seed " << SEED << ", " << point.transpose();
-    }
-  }
-}
-
 TEST(Paving, isTheSameForAnyNumberOfThreads)
 {
   PavingQuery wanted = query(0.05);
@@ -102,10 +49,7 @@ TEST(Paving, isTheSameForAnyNumberOfThreads)
   {
     wanted.budget.threads = threads;
     const Paving many = pave(orthoglide(), wanted);
-    for (const CellState state : { CellState::INSIDE, CellState::BOUNDARY, CellState::OUTSIDE })
-      expectSameBoxes(one.tree.boxes(state), many.tree.boxes(state));
-    EXPECT_EQ(one.volume_inside, many.volume_inside);
-    EXPECT_EQ(one.boxes, many.boxes);
+    test::expectSame(one, many);
   }
 }
 
@@ -128,6 +72,51 @@ TEST(Paving, aBudgetLeavesBoxesPendingAndTheVolumesTrue)
   EXPECT_EQ(pave(orthoglide(), wanted).volumeUpper(), 8.0);
 }
 
+TEST(Paving, keepsToItsMemory)
+{
+  PavingQuery wanted = query(0.02);
+  const Paving free = pave(orthoglide(), wanted);
+  std::int64_t boxes = 0;
+  for (const std::int64_t bytes : { PavingQuery::LEAST_MEMORY, std::int64_t(30000), std::int64_t(1000000) })
+  {
+    wanted.max_memory = bytes;
+    wanted.budget.threads = 1;
+    const Paving one = pave(orthoglide(), wanted);
+    wanted.budget.threads = 3;
+    test::expectSame(one, pave(orthoglide(), wanted));
+    EXPECT_LE(static_cast<std::int64_t>(one.tree.bytes()), bytes);
+    EXPECT_FALSE(one.complete);
+    EXPECT_LE(one.volumeLower(), free.volumeLower());
+    EXPECT_GE(one.volumeUpper(), free.volumeUpper());
+    EXPECT_GT(one.boxes, boxes);
+    boxes = one.boxes;
+  }
+  wanted.max_memory = 20000000;
+  test::expectSame(free, pave(orthoglide(), wanted));
+}
+
+TEST(Paving, tellsProgress)
+{
+  constexpr double ROUNDING = 1e-12;  // of sums in another order [m^3]
+  PavingQuery wanted = query(5e-4);
+  std::atomic<bool> stop(false);
+  std::vector<PavingProgress> told;
+  wanted.budget.stop = &stop;
+  wanted.progress = [&](const PavingProgress& state) {
+    told.push_back(state);
+    stop = told.size() >= 2;
+  };
+  const Paving paving = pave(orthoglide(), wanted);
+  ASSERT_GE(told.size(), 2U);
+  for (const PavingProgress& state : told)
+  {
+    EXPECT_LE(state.volume_inside, paving.volumeLower() + ROUNDING);
+    EXPECT_GE(state.volume_inside + state.volume_boundary, paving.volumeUpper() - ROUNDING);
+    EXPECT_GT(state.boxesPerSecond(), 0.0);
+    EXPECT_LE(state.boxes, paving.boxes);
+  }
+}
+
 TEST(Paving, findsItsOwnBoxAndRefusesAnUnboundedOne)
 {
   PavingQuery wanted = query(0.2);
@@ -135,16 +124,23 @@ TEST(Paving, findsItsOwnBoxAndRefusesAnUnboundedOne)
   const Paving paving = pave(orthoglide(), wanted);
   EXPECT_LE(paving.box.lower.maxCoeff(), -0.8);
   EXPECT_GE(paving.box.upper.minCoeff(), 0.8);
-  test::expectThrow<std::invalid_argument>([&] { pave(uranesx(), wanted); }, "parallel.*give a box");
+  test::expectThrow<std::invalid_argument>([&] { pave(test::nearlyParallel(), wanted); }, "parallel.*give a box");
+  wanted.criterion.joint_limits = true;  // of which the machine has one, upward only
+  Machine::Legs legs = uranesx().legs();
+  legs[1].limits = Interval(-0.1, std::numeric_limits<double>::infinity());
+  const Machine half_bounded("half_bounded", legs, uranesx().zero());
+  test::expectThrow<std::invalid_argument>([&] { pave(half_bounded, wanted); }, "parallel.*give a box");
 }
 
 TEST(PavingQuery, refusesEverythingThatIsOutOfRangeAtOnce)
 {
   PavingQuery wanted = query(-0.1);
   wanted.budget.threads = 5000;
+  wanted.max_memory = 4095;
   wanted.box = Box{ { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 1.0 } };
   const auto run = [&wanted] { pave(orthoglide(), wanted); };
-  for (const char* pattern : { "resolution = -0.1", "threads = 5000", "box y = \\[1, 0\\] m" })
+  for (const char* pattern :
+       { "resolution = -0.1", "threads = 5000", "max_memory = 4095 bytes", "box y = \\[1, 0\\] m" })
     test::expectThrow<std::invalid_argument>(run, pattern);
 }
 }  // namespace pkm_workspace

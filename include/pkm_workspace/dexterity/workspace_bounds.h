@@ -17,6 +17,15 @@ IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& rad
 /// limits), or not valid (the set is empty).
 Box boundsOfSet(const Machine& machine, const Criterion& criterion);
 
+/// Whether nothing changes along the rails: they are parallel, and no joint limit is asked for.
+bool slidesAlongRails(const Machine& machine, const Criterion& criterion);
+
+/// The axis of coordinates (0, 1 or 2) that parallel rails run along most.
+int mainAxisOfRails(const Machine& machine);
+
+/// A flat box that contains every point of the set with p_axis = level [m]. @pre no rail is across that axis
+Box boundsAcrossRails(const Machine& machine, const Criterion& criterion, int axis, double level);
+
 /// Whether the box is not longer than 1000 struts: beyond that nothing could be settled.
 bool isBounded(const Box& box, const Machine& machine);
 

@@ -45,7 +45,9 @@ public:
     result[axis] = 2 * cell[axis] + side;
     return result;
   }
-  /// Encloses the volume of every box of a level [m^3].
+  /// How many sides of the root have a width: 3, or 2 for a flat box.
+  int dimension() const;
+  /// Encloses the volume of every box of a level [m^3]; of flat boxes the area [m^2], of lines the length [m].
   Interval volume(std::size_t level) const;
 
 private:
@@ -65,6 +67,8 @@ public:
 
   const Bisection& bisection() const { return bisection_; }
   std::size_t levels() const { return levels_.size(); }
+  /// The states of a level's boxes, in order.
+  const std::vector<CellState>& level(std::size_t number) const { return levels_[number]; }
   /// @param states as many as the levels before leave open
   void addLevel(std::vector<CellState> states);
 
@@ -74,7 +78,7 @@ public:
   /// How many boxes of a level, or of all, have that state.
   std::int64_t count(CellState state, std::size_t level) const;
   std::int64_t count(CellState state) const;
-  /// Encloses the volume of these [m^3].
+  /// Encloses the volume of these, in the root's own dimension [m^3].
   Interval volume(CellState state) const;
   /// The boxes of that state, for each level.
   std::vector<std::vector<Box>> boxes(CellState state) const;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "pkm_workspace/paving/paving.h"
+
+namespace pkm_workspace
+{
+/// Section 2.6 of the paper, one level of boxes after the other: the answer does not depend on the number of threads,
+/// and a run that is cut short is as fine everywhere as it got. What an earlier paving knows of a box is not looked at
+/// again.
+class Paver
+{
+public:
+  /// @param earlier of the same machine, criterion and box, or nullptr
+  Paver(const Machine& machine, const PavingQuery& query, const Paving* earlier);
+
+  Paving run();
+
+private:
+  using States = std::vector<CellState>;
+
+  /// The boxes of a level, and what the earlier paving knows of each; nothing where PENDING.
+  struct Level
+  {
+    std::vector<Cell> cells;
+    States known;
+  };
+
+  /// What became of boxes.
+  struct Counts
+  {
+    std::size_t looked = 0;
+    std::size_t inside = 0;
+    std::size_t outside = 0;
+    std::size_t splits = 0;
+    std::size_t known_splits = 0;  ///< of these, boxes that the earlier paving has split, too
+
+    void add(const Counts& other);
+  };
+
+  Level firstLevel() const;
+  Level divide(const Level& level);
+  std::vector<Counts> lookAtAll(const Level& level, States& states);
+  Counts lookAt(const Level& level, std::size_t first, std::size_t last, CellState* states) const;
+  std::size_t endOfAllowed(const States& known) const;
+  void keepToMemory(const Level& level, States& states, std::vector<Counts>& counts) const;
+  Level halves(const Level& level, const States& states, const std::vector<Counts>& counts);
+  void report(const Level& level, const Counts& sum);
+
+  double seconds() const;
+  bool late() const { return query_.budget.isOver(seconds()); }
+
+  const PavingQuery& query_;
+  const Paving* earlier_;
+  BoxTest test_;
+  ThreadPool pool_;
+  Paving paving_;
+  std::chrono::steady_clock::time_point begin_;
+  double next_progress_ = 0.1;  ///< [s]
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/paving/paving_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <boost/crc.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "paving/pavings.h"
+#include "support/cases.h"
+#include "support/expect_throw.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr unsigned SEED = 20260607;
+constexpr std::size_t SIZE_PLACE = 15;    // of the file's size in it
+constexpr std::size_t FIRST_CHOICE = 80;  // behind the texts
+
+using test::query;
+
+/// In a folder of its own.
+class PavingFile : public testing::Test
+{
+protected:
+  PavingFile()
+  {
+    std::string name = testing::TempDir() + "pavingXXXXXX";
+    if (mkdtemp(&name[0]) == nullptr)
+      throw std::runtime_error("no folder for the test");
+    folder_ = name;
+    file_ = name + "/it.paving";
+  }
+  ~PavingFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string read() const
+  {
+    std::ifstream stream(file_, std::ios::binary);
+    return { std::istreambuf_iterator<char>(stream), {} };
+  }
+  void write(const std::string& bytes) const { std::ofstream(file_, std::ios::binary) << bytes; }
+  std::vector<Paving> load() const { return loadPavings(file_, orthoglide(), { query(0.2) }); }
+  void expectRefused(const std::string& pattern) const
+  {
+    test::expectThrow<std::invalid_argument>([&] { load(); }, "it\\.paving: .*" + pattern);
+  }
+  std::size_t filesInFolder() const
+  {
+    const std::filesystem::directory_iterator files(folder_);
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+  }
+
+  std::filesystem::path folder_;
+  std::string file_;
+};
+
+/// Changes that a disk, a network or a hand may make; at least one byte is another one afterwards.
+std::string corrupted(const std::string& bytes, test::Random& random)
+{
+  const auto place = [&] { return static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1)); };
+  std::string result = bytes;
+  while (result == bytes)
+  {
+    const std::size_t at = place(), size = std::min(place(), bytes.size() - at);
+    switch (random.integer(0, 5))
+    {
+      case 0:
+        result[at] = static_cast<char>(result[at] ^ (1 << random.integer(0, 7)));
+        break;
+      case 1:
+        result.resize(at);
+        break;
+      case 2:
+        result.erase(at, size);
+        break;
+      case 3:
+        result.insert(at, std::string(size + 1, static_cast<char>(random.integer(0, 255))));
+        break;
+      case 4:
+        for (std::size_t k = at; k < at + size; ++k)
+          result[k] = static_cast<char>(random.integer(0, 255));
+        break;
+      default:
+        result = bytes.substr(at) + bytes.substr(0, at);
+    }
+  }
+  return result;
+}
+
+/// With the size and the checksum that the bytes should have.
+std::string signedAgain(std::string bytes)
+{
+  for (std::size_t k = 0; k < 8; ++k)
+    bytes[SIZE_PLACE + k] = static_cast<char>(bytes.size() >> (8 * k) & 0xff);
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size() - 4);
+  for (std::size_t k = 0; k < 4; ++k)
+    bytes[bytes.size() - 4 + k] = static_cast<char>(crc.checksum() >> (8 * k) & 0xff);
+  return bytes;
+}
+}  // namespace
+
+TEST_F(PavingFile, givesBackWhatWasSaved)
+{
+  PavingQuery ended = query(0.05, Criterion::Set::REACHABLE, Criterion::Aspect::BOTH);
+  ended.budget.max_boxes = 3000;
+  PavingQuery plane = query(0.02);
+  plane.box.reset();
+  for (const Machine& machine : { orthoglide(), uranesx() })
+  {
+    const std::vector<PavingQuery> queries = { query(0.1), ended, machine.hasParallelRails() ? plane : ended };
+    std::vector<Paving> pavings;
+    for (const PavingQuery& wanted : queries)
+      pavings.push_back(pave(machine, wanted));
+    savePavings(file_, pavings);
+    const std::vector<Paving> loaded = loadPavings(file_, machine, queries);
+    ASSERT_EQ(loaded.size(), pavings.size());
+    for (std::size_t k = 0; k < loaded.size(); ++k)
+      test::expectSame(pavings[k], loaded[k]);
+    EXPECT_EQ(filesInFolder(), 1U);
+  }
+}
+
+TEST_F(PavingFile, isWhereAFinerRunGoesOn)
+{
+  PavingQuery wanted = query(0.1);
+  wanted.budget.max_boxes = 2000;
+  savePavings(file_, { pave(orthoglide(), wanted) });
+  const Paving fine = resume(orthoglide(), query(0.03), loadPavings(file_, orthoglide(), { query(0.03) })[0]);
+  test::expectSame(pave(orthoglide(), query(0.03)), fine);
+}
+
+TEST_F(PavingFile, ofAnEmptySetHasNoBoxes)
+{
+  PavingQuery wanted = query(0.1);
+  wanted.box.reset();
+  wanted.criterion.joint_limits = true;
+  Machine::Legs legs = orthoglide().legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(50.0, 60.0);
+  const Machine machine("far", legs, orthoglide().zero());
+  const Paving paving = pave(machine, wanted);
+  EXPECT_EQ(paving.volumeUpper(), 0.0);
+  savePavings(file_, { paving });
+  test::expectSame(paving, resume(machine, wanted, loadPavings(file_, machine, { wanted })[0]));
+}
+
+TEST_F(PavingFile, everyCorruptionIsRefused)
+{
+  savePavings(file_, { pave(orthoglide(), query(0.2)) });
+  const std::string bytes = read();
+  test::Random random(SEED);
+  for (int k = 0; k < test::cases(1000); ++k)
+  {
+    write(corrupted(bytes, random));
+    ASSERT_THROW(load(), std::invalid_argument) << "case " << k << ", seed " << SEED;
+  }
+}
+
+// Whoever forges the checksum, too, gets a tree or a refusal, and neither a crash nor memory that the file does not
+// fill.
+TEST_F(PavingFile, garbageThatIsSignedIsATreeOrRefused)
+{
+  savePavings(file_, { pave(orthoglide(), query(0.2)) });
+  const std::string bytes = read();
+  test::Random random(SEED);
+  int refused = 0;
+  for (int k = 0; k < test::cases(1000); ++k)
+  {
+    std::string forged = corrupted(bytes, random);
+    if (forged.size() < FIRST_CHOICE)
+      continue;
+    write(signedAgain(bytes.substr(0, SIZE_PLACE) + forged.substr(SIZE_PLACE)));
+    try
+    {
+      const Paving paving = load()[0];
+      EXPECT_LE(static_cast<std::size_t>(paving.boxes), forged.size());
+      resume(orthoglide(), query(0.2), paving);
+    }
+    catch (const std::invalid_argument&)
+    {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
+}
+
+TEST_F(PavingFile, refusalsTellTheReason)
+{
+  savePavings(file_, { pave(orthoglide(), query(0.2)) });
+  const std::string bytes = read();
+  const auto refuses = [&](const std::string& content, const std::string& pattern) {
+    write(content);
+    expectRefused(pattern);
+  };
+  refuses("", "not a paving");
+  refuses("solid cube\n", "not a paving");
+  refuses(bytes.substr(0, 13), "ends too early");
+  refuses(bytes.substr(0, bytes.size() - 1), "bytes instead of .*cut");
+  refuses(bytes + "x", "bytes instead of .*added");
+  std::string changed = bytes;
+  changed[bytes.size() / 2] ^= 1;
+  refuses(changed, "checksum .*altered");
+  changed = bytes;
+  changed[11] = 2;
+  refuses(changed, "format 2, this program reads format 1");
+  changed = bytes;
+  changed[27] = '9';
+  refuses(signedAgain(changed), "version 9\\S+ wrote it, this is version \\d");
+  changed = bytes;
+  changed[bytes.size() - 5] = 0;
+  refuses(signedAgain(changed), "state that is not possible");
+  changed.insert(bytes.size() - 4, "x");
+  changed[bytes.size() - 5] = bytes[bytes.size() - 5];
+  refuses(signedAgain(changed), "1 bytes are left over");
+  changed = bytes;
+  changed.erase(bytes.size() - 5, 1);
+  refuses(signedAgain(changed), "ends too early");
+}
+
+TEST_F(PavingFile, refusesAnotherSubjectByName)
+{
+  savePavings(file_, { pave(orthoglide(), query(0.2)) });
+  const auto refuses = [&](const Machine& machine, const PavingQuery& wanted, const std::string& pattern) {
+    test::expectThrow<std::invalid_argument>([&] { loadPavings(file_, machine, { wanted }); },
+                                             "it\\.paving: .*" + pattern);
+  };
+  refuses(uranesx(), query(0.2), orthoglide().geometryHash() + ".*" + uranesx().geometryHash());
+  refuses(orthoglide(), query(0.2, Criterion::Set::REACHABLE), "criterion: ");
+  PavingQuery wanted = query(0.2);
+  wanted.box->lower.z() = -0.5;
+  refuses(orthoglide(), wanted, "box: ");
+  test::expectThrow<std::invalid_argument>(
+      [&] {
+        loadPavings(file_, orthoglide(), { query(0.1), query(0.1) });
+      },
+      "it\\.paving: .*holds 1 pavings, asked for are 2");
+}
+
+TEST_F(PavingFile, isReplacedAsAWholeOrNotAtAll)
+{
+  const std::vector<Paving> pavings = { pave(orthoglide(), query(0.2)) };
+  savePavings(file_, pavings);
+  std::filesystem::create_directory(folder_ / "sub");
+  EXPECT_EQ(filesInFolder(), 2U);
+  const auto refuses = [&](const std::string& path, const std::string& pattern) {
+    test::expectThrow<std::invalid_argument>([&] { savePavings(path, pavings); }, pattern);
+    test::expectThrow<std::invalid_argument>([&] { checkWritable(path); }, pattern);
+  };
+  refuses((folder_ / "none" / "it").string(), "none/it: cannot be written: No such file");
+  refuses((folder_ / "sub").string(), "sub: cannot be written: it is not a regular file");
+  refuses("/dev/null", "/dev/null: cannot be written: it is not a regular file");
+  test::expectThrow<std::invalid_argument>([&] { loadPavings("/dev/zero", orthoglide(), {}); }, "not a regular file");
+  test::expectThrow<std::invalid_argument>([&] { loadPavings((folder_ / "x").string(), orthoglide(), {}); },
+                                           "x: cannot be read: No such file");
+  checkWritable(file_);
+  EXPECT_EQ(filesInFolder(), 2U);
+  test::expectSame(pavings[0], load()[0]);
+}
+}  // namespace pkm_workspace
