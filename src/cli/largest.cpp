@@ -100,13 +100,7 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    Words names = shapeNames();
-    names.push_back("cylinder");
-    options.choice("shape", shape_, names, "what to look for; a square and a disc lie in the plane xy");
-    options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
-                   "of a box: its sides are size A, size B and size C, in metres");
-    options.range("ratio", ratio_, NUMBER_POSITIVE,
-                  "of a cylinder: least and largest radius over height; the one of the largest volume is found");
+    shape_.declare(options, query_);
     declareCriterion(options, query_.criterion);
     options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
                    "largest difference between the proved size and its upper bound (of a box: in factors)");
@@ -114,7 +108,6 @@ public:
     options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
     declareBudget(options, query_.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
-    options.check({ "shape", "proportions", "ratio" }, [this](Problems& problems) { setShape(problems); });
     options.check({ "search-box", "center" }, [this](Problems& problems) {
       if (query_.search_box && center_)
         problems.push_back("only one of the two can be given");
@@ -139,18 +132,6 @@ public:
   }
 
 private:
-  void setShape(Problems& problems)
-  {
-    try
-    {
-      pkm_workspace::setShape(shape_, proportions_, ratio_, query_);
-    }
-    catch (const std::invalid_argument& reason)
-    {
-      problems.push_back(reason.what());
-    }
-  }
-
   std::string print(const LargestRegion& region) const
   {
     const Shape& shape = *region.shape;
@@ -199,9 +180,7 @@ private:
   MachineOptions machine_;
   RegionQuery query_;
   bool progress_ = false;
-  std::string shape_ = "cube";
-  std::optional<Eigen::Vector3d> proportions_;
-  std::optional<RatioRange> ratio_;
+  ShapeOptions shape_;
   std::optional<Eigen::Vector3d> center_;
 };
 }  // namespace
