@@ -14,30 +14,6 @@ namespace
 {
 constexpr double INF = std::numeric_limits<double>::infinity();
 
-/// One leg and a plane p_axis = level: t = (level - c_axis - q_axis) / e_axis.
-Box boundsInPlane(const Machine& machine, const Criterion& criterion, int axis, double level)
-{
-  Box bounds{ Eigen::Vector3d::Constant(-INF), Eigen::Vector3d::Constant(INF) };
-  const auto k = static_cast<std::size_t>(axis);
-  for (int i = 0; i < 3; ++i)
-  {
-    const IntervalVector& e = machine.leg(i).axis;
-    const IntervalVector q = offsetAcross(machine, i, cylinderRadius(machine.leg(i), criterion));
-    const Interval along = (Interval(level) - machine.center(i)[k] - q[k]) / e[k];
-    bounds = intersection(bounds, boundingBox(machine.center(i) + q + along * e));
-  }
-  bounds.lower[axis] = bounds.upper[axis] = level;
-  return bounds;
-}
-
-/// The coordinate axis that the (parallel) rails run along most.
-int mainAxis(const Machine& machine)
-{
-  int axis = 0;
-  mid(machine.leg(0).axis).cwiseAbs().maxCoeff(&axis);
-  return axis;
-}
-
 bool runAlongAxis(const Machine& machine, int axis)
 {
   const Interval& e = machine.leg(0).axis[static_cast<std::size_t>(axis)];
@@ -47,13 +23,13 @@ bool runAlongAxis(const Machine& machine, int axis)
 /// Parallel rails without joint limits: nothing changes along them, so one plane of centers stands for all.
 Box centersAcrossRails(const Machine& machine, const RegionQuery& query)
 {
-  const int axis = mainAxis(machine);
+  const int axis = mainAxisOfRails(machine);
   if (!query.search_box)
-    return boundsInPlane(machine, query.criterion, axis, machine.zero()[axis]);
+    return boundsAcrossRails(machine, query.criterion, axis, machine.zero()[axis]);
   if (!runAlongAxis(machine, axis))
     return *query.search_box;
   const double level = query.search_box->center()[axis];
-  return intersection(boundsInPlane(machine, query.criterion, axis, level), *query.search_box);
+  return intersection(boundsAcrossRails(machine, query.criterion, axis, level), *query.search_box);
 }
 
 /// Two points k and k' of K lie in a cylinder together only if size * |E (k - k')| <= 2 radius.
@@ -84,8 +60,7 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
 {
   const Box bounds = boundsOfSet(machine, query.criterion);
   CenterSpace space{ bounds, sizeBound(machine, query, bounds) };
-  const bool limits_bound = isBounded(bounds, machine) || !bounds.isValid();
-  if (machine.hasParallelRails() && !limits_bound)
+  if (slidesAlongRails(machine, query.criterion))
     space.centers = centersAcrossRails(machine, query);
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);

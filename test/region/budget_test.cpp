@@ -117,4 +117,21 @@ TEST(RegionQuery, refusesWhatHasNoBound)
   query.search_box = Box{ { -0.1, -0.1, -1.0 }, { 0.1, 0.1, -0.8 } };
   EXPECT_EQ(findLargestRegion(nearly, query).status, LargestRegion::Status::PROVEN);
 }
+// With a limit on one side only the set does change along parallel rails: one plane must not stand for all.
+TEST(RegionQuery, refusesParallelRailsWithHalfOfTheirLimits)
+{
+  Machine::Legs legs = uranesx().legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-0.05, std::numeric_limits<double>::infinity());
+  const Machine half("half limited", legs, uranesx().zero());
+  RegionQuery query;
+  query.shape = makeSquare();
+  query.criterion.joint_limits = true;
+  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(half, query); },
+                                           "parallel.*joint limits or give a search box");
+  query.search_box = Box{ half.zero() - Eigen::Vector3d::Constant(0.5), half.zero() + Eigen::Vector3d::Constant(0.5) };
+  const LargestRegion within = findLargestRegion(half, query);
+  EXPECT_EQ(within.status, LargestRegion::Status::PROVEN);
+  EXPECT_GE(within.size_upper_bound, 0.5194883);  // there is room for the square of the machine without limits
+}
 }  // namespace pkm_workspace
