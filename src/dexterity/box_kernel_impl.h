@@ -68,7 +68,7 @@ public:
                       : found.inside[lane] ? BoxVerdict::INSIDE
                                            : BoxVerdict::UNDECIDED;
         if (worst)
-          worst[k] = laneOf(question.worst, lane);
+          worst[k] = verdicts[k] == BoxVerdict::UNDECIDED ? laneOf(question.worst, lane) : AffineForm<double>();
       }
     }
   }
@@ -178,7 +178,10 @@ private:
       form = quadraticForm(less, v);
     }
     if (question.wants_worst)
-      question.worst = select((!(definite | holds)) & (form.lower() < question.worst.lower()), form, question.worst);
+    {
+      const Mask open = !(definite | holds | verdicts.outside);
+      question.worst = select(open & (form.lower() < question.worst.lower()), form, question.worst);
+    }
     return holds;
   }
 

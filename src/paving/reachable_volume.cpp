@@ -38,22 +38,47 @@ struct Share
   }
 };
 
+/// How far delta over the box may be from [-1, 1], along each axis: centers and half widths are rounded.
+std::array<Interval, 3> deviations(const Box& box, const CenteredBox<double>& centered)
+{
+  std::array<Interval, 3> deviation;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Interval side = box.side(static_cast<int>(j)) - Interval(centered.center[j]);
+    if (centered.half_widths[j] == 0.0)
+      continue;
+    const Interval half(centered.half_widths[j]);
+    const Interval lower = Interval(side.lower()) / half + Interval(1.0);
+    const Interval upper = Interval(side.upper()) / half - Interval(1.0);
+    deviation[j] = Interval(0.0, std::max(lower.magnitude(), upper.magnitude()));
+  }
+  return deviation;
+}
+
 /// A point of the box is in the set exactly when no condition is violated there. The forms of limits and aspect hold
 /// where all struts reach only; elsewhere a radicand is negative, whose form always holds.
 Interval shareOfSet(const MachineModel<double>& model, const Box& box)
 {
   const CenteredBox<double> centered(box);
   const MachineForms<double> forms = model.evaluate(centered);
+  const std::array<Interval, 3> deviation = deviations(box, centered);
   Share share;
+  const auto ask = [&](AffineForm<double> form) {
+    Interval radius(form.radius);
+    for (std::size_t j = 0; j < 3; ++j)
+      radius += Interval(std::abs(form.gradient[j])) * deviation[j];
+    form.radius = radius.upper();
+    share.ask(form);
+  };
   for (std::size_t leg = 0; leg < 3; ++leg)
   {
-    share.ask(forms.radicand[leg]);
+    ask(forms.radicand[leg]);
     for (const int side : { 0, 1 })
       if (model.limited(leg, side))
-        share.ask(model.limitMargin(leg, side, forms, centered));
+        ask(model.limitMargin(leg, side, forms, centered));
   }
   if (model.oriented())
-    share.ask(model.orientation(forms));
+    ask(model.orientation(forms));
   return { std::min(share.lower, share.upper), share.upper };
 }
 /// The slopes that are not nearly flat, as magnitudes.

@@ -2,6 +2,7 @@
 #include "pkm_workspace/region/center_test.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pkm_workspace
 {
@@ -50,7 +51,9 @@ bool CenterTest::combinationExcludes()
 {
   AffineForm<double> sum;
   for (const auto& term : programme_.certificate())
-    if (term.row >= 0)
+    if (!std::isfinite(term.weight))
+      return false;
+    else if (term.row >= 0)
       sum = sum + exactly(term.weight) * forms_[static_cast<std::size_t>(term.row)];
   return sum.upper() < 0.0;
 }

@@ -164,7 +164,8 @@ private:
     const CenteredBox<double> centered(box);
     const AffineForm<double> negative = -f_.over(centered);
     const AffineForm<double> slack = slackOf(shape.halfSpace(box, region_.center, region_.size), centered);
-    open_.push({ box, -lowered(negative, multiplier(negative, slack), slack).lower() });
+    const double bound = -lowered(negative, multiplier(negative, slack), slack).lower();
+    open_.push({ box, std::isnan(bound) ? std::numeric_limits<double>::infinity() : bound });
   }
 
   const ConvexFunction& f_;
