@@ -23,11 +23,6 @@ std::string nearlyAt(const Eigen::Vector3d& p)
   return "(" + nearly(p.x(), 4) + ", " + nearly(p.y(), 4) + ", " + nearly(p.z(), 4) + ") m";
 }
 
-bool isSolid(const Shape& shape)
-{
-  return (shape.halfExtents().array() > 0.0).all();
-}
-
 Interval power(const Interval& x, int exponent)
 {
   Interval product(1.0);

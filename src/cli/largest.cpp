@@ -28,11 +28,6 @@ const char* name(LargestRegion::Status status)
   throw std::logic_error("a status without a name");
 }
 
-bool isSolid(const Shape& shape)
-{
-  return (shape.halfExtents().array() > 0.0).all();
-}
-
 Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
 {
   Json json = Json::array();

@@ -40,6 +40,11 @@ Json toJson(BoxVerdict verdict)
   return verdict == BoxVerdict::UNDECIDED ? Json() : Json(verdict == BoxVerdict::INSIDE);
 }
 
+bool isSolid(const Shape& shape)
+{
+  return (shape.halfExtents().array() > 0.0).all();
+}
+
 std::string name(Criterion::Set set)
 {
   return set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";

@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/region/shape.h"
 #include "values.h"
 
 namespace pkm_workspace
@@ -24,6 +25,8 @@ Json toJson(const Box& box);
 Json toJson(BoxVerdict verdict);
 
 /// "dextrous" or "reachable".
+/// Whether its volume is more than 0.
+bool isSolid(const Shape& shape);
 std::string name(Criterion::Set set);
 /// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".
 std::string definition(const Criterion& criterion);

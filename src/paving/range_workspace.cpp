@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 #include "pkm_workspace/paving/reachable_volume.h"
@@ -71,15 +72,17 @@ private:
       query.budget.max_boxes = std::max<std::int64_t>(1, query.budget.max_boxes - boxes_);
     if (query.budget.time_limit > 0.0)
       query.budget.time_limit = std::max(1e-9, query.budget.time_limit - seconds());
-    const Paving paving = pave(machine_, query);
-    boxes_ += paving.boxes;
-    return reachableVolume(machine_, query.criterion, paving, query.budget);
+    std::optional<Paving>& paving = pavings_[aspect == Criterion::Aspect::OWN ? 0 : 1];
+    paving = paving ? resume(machine_, query, *paving) : pave(machine_, query);
+    boxes_ += paving->boxes_here;
+    return reachableVolume(machine_, query.criterion, *paving, query.budget);
   }
 
   const Machine machine_;
   const RangeQuery& query_;
   const std::chrono::steady_clock::time_point begin_;
   std::int64_t boxes_ = 0;
+  std::array<std::optional<Paving>, 2> pavings_;  ///< of either aspect, at the last resolution
   RangeWorkspace answer_;
 };
 }  // namespace

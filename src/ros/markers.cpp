@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
+#include <string>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
 
 namespace pkm_workspace
@@ -116,6 +117,18 @@ void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene
           edges.points.push_back(toMessage(corner(center, sides, end)));
 }
 
+/// A few digits of a bound, rounded to the side on which it holds, without zeros at the end.
+std::string digits(double value, std::string (*rounded)(double, int))
+{
+  constexpr int FEWER = 4;  // than the nine significant ones of decimalsFor()
+  std::string text = rounded(value, std::max(0, decimalsFor(value, value) - FEWER));
+  if (text.find('.') != std::string::npos)
+    text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.')
+    text.pop_back();
+  return text;
+}
+
 /// A point at an angle on a circle of that radius across one axis.
 Eigen::Vector3d onCircle(const Eigen::Vector3d& center, double radius, int axis, int step)
 {
@@ -162,16 +175,14 @@ void addBox(const Region& region, Scene& scene)
   const Eigen::Vector3d sides = sidesOf(region);
   addFaces(center, sides, scene);
   addEdges(center, sides, scene);
-  std::ostringstream text;
-  text.precision(5);
-  text << region.shape << ' ' << sides.x() << " x " << sides.y();
+  std::string text = region.shape + ' ' + digits(sides.x(), roundedDown) + " x " + digits(sides.y(), roundedDown);
   if (sides.z() > 0.0)
-    text << " x " << sides.z();
-  text << " m";
+    text += " x " + digits(sides.z(), roundedDown);
+  text += " m";
   // above what is solid; in front of a square, where the struts do not cross it
   const bool solid = sides.z() > 0.0;
   const double distance = (solid ? 100.0 : -80.0) * scene.unit();
-  scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text.str());
+  scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text);
 }
 
 /// With circles around both ends.
@@ -198,14 +209,12 @@ void addRound(const Region& region, Scene& scene)
     addCylinder(center, height, radius, scene);
   else
     addDisc(center, radius, scene);
-  std::ostringstream text;
-  text.precision(5);
-  text << region.shape << " of radius " << radius << " m";
+  std::string text = region.shape + " of radius " + digits(radius, roundedDown) + " m";
   if (!is_sphere && height > 0.0)
-    text << ", height " << height << " m";
+    text += ", height " + digits(height, roundedDown) + " m";
   const Eigen::Vector3d place = height > 0.0 ? (0.5 * height + 100.0 * scene.unit()) * Eigen::Vector3d::UnitZ()
                                              : -(radius + 80.0 * scene.unit()) * Eigen::Vector3d::UnitY();
-  scene.addText("region", center + place, text.str());
+  scene.addText("region", center + place, text);
 }
 
 void addRegion(const Region& region, Scene& scene)
@@ -254,10 +263,8 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
   bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
-  std::ostringstream text;
-  text.precision(4);
-  text << range.joint << "\nDelta rho = " << range.stroke_upper_bound << " m";
-  scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text.str());
+  const std::string text = range.joint + "\nDelta rho = " + digits(range.stroke_upper_bound, roundedUp) + " m";
+  scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
 }
 }  // namespace
 

@@ -194,6 +194,17 @@ TEST(Markers, drawJointRangesAlongTheRails)
   EXPECT_EQ("rail_x\nDelta rho = 0.75 m", labels[0].text);
 }
 
+TEST(Markers, roundWhatTheyPrintToTheSideOnWhichItHolds)
+{
+  Region region = regionWithSides(0.64395999, 0.64395999, 0.64395999);
+  region.joint_ranges[0].stroke_upper_bound = 0.82745301;
+  const auto array = draw(region);
+  EXPECT_EQ("box 0.64395 x 0.64395 x 0.64395 m",
+            ofType(inNamespace(array, "region"), Marker::TEXT_VIEW_FACING)[0].text);
+  EXPECT_EQ("rail_x\nDelta rho = 0.82746 m",
+            ofType(inNamespace(array, "joint_ranges"), Marker::TEXT_VIEW_FACING)[0].text);
+}
+
 TEST(Markers, showNoRegionWhereThereIsNone)
 {
   Region none = regionWithSides(0.0, 0.0, 0.0);
