@@ -91,13 +91,14 @@ Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   aspect_ = aspectAt(*this);
 }
 
+bool areParallel(const Leg& a, const Leg& b)
+{
+  return a.axis == b.axis || a.axis == IntervalVector{ -b.axis[0], -b.axis[1], -b.axis[2] };
+}
+
 bool Machine::hasParallelRails() const
 {
-  const auto parallel = [](const IntervalVector& a, const IntervalVector& b) {
-    const IntervalVector opposite{ -b[0], -b[1], -b[2] };
-    return a == b || a == opposite;
-  };
-  return parallel(legs_[0].axis, legs_[1].axis) && parallel(legs_[0].axis, legs_[2].axis);
+  return areParallel(legs_[0], legs_[1]) && areParallel(legs_[0], legs_[2]);
 }
 
 bool Machine::hasJointLimits() const

@@ -24,6 +24,9 @@ struct Leg
   Interval limits = Interval::entire();  ///< values that the prismatic joint may take [m]
 };
 
+/// Whether the axes of two rails are the same numbers, or the opposite ones.
+bool areParallel(const Leg& a, const Leg& b);
+
 /// The geometry of a translational machine with three legs: a value, immutable once made.
 ///
 /// Every number is an enclosure of the exact number it stands for (mostly of zero or one-ulp width). Legs whose axis

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/machine/frame.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+void validate(const Pose& pose)
+{
+  const auto& q = pose.orientation;
+  std::ostringstream problems;
+  problems.precision(17);
+  bool finite = true;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!std::isfinite(q[k]))
+    {
+      finite = false;
+      problems << "orientation "
+               << "xyzw"[k] << " = " << q[k] << " must be finite\n";
+    }
+  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (finite && !(std::abs(norm - 1.0) <= NORM_TOLERANCE))
+    problems << "orientation (x, y, z, w) = (" << q[0] << ", " << q[1] << ", " << q[2] << ", " << q[3]
+             << ") must be a unit quaternion: its norm is " << norm << ", allowed are 1 - " << NORM_TOLERANCE
+             << " to 1 + " << NORM_TOLERANCE << "\n";
+  for (int k = 0; k < 3; ++k)
+    if (!std::isfinite(pose.translation[k]))
+      problems << "translation "
+               << "xyz"[k] << " = " << pose.translation[k] << " m must be finite\n";
+  std::string text = problems.str();
+  if (text.empty())
+    return;
+  text.pop_back();
+  throw std::invalid_argument(text);
+}
+
+/// Entry (i, i): (w^2 + x_i^2 - x_j^2 - x_k^2) / n = 1 - 2 (x_j^2 + x_k^2) / n, each exact where the other one is not.
+Interval diagonal(const Interval& w, const Interval& xi, const Interval& xj, const Interval& xk, const Interval& n)
+{
+  return intersection(((w - xj) * (w + xj) + (xi - xk) * (xi + xk)) / n,
+                      Interval(1.0) - Interval(2.0) * (sqr(xj) + sqr(xk)) / n);
+}
+
+/// Entry (i, j) where (i, j, k) is a cyclic order of the axes: 2 (x_i x_j - w x_k) / n; the entry (j, i) has -w for w.
+Interval mixed(const Interval& w, const Interval& xi, const Interval& xj, const Interval& xk, const Interval& n)
+{
+  return intersection(Interval(2.0) * (xi * xj - w * xk) / n, Interval(-1.0, 1.0));
+}
+
+/// Rails are parallel where their axes are the same numbers: makes those of others differ where rounding hides it.
+void keepApart(const Machine& machine, Machine::Legs& legs)
+{
+  for (std::size_t i = 1; i < 3; ++i)
+  {
+    const auto only_look_parallel = [&](std::size_t j) {
+      return areParallel(legs[i], legs[j]) && !areParallel(machine.legs()[i], machine.legs()[j]);
+    };
+    while (only_look_parallel(0) || (i == 2 && only_look_parallel(1)))
+    {
+      Interval& entry = legs[i].axis[0];
+      entry = Interval(entry.lower(), std::nextafter(entry.upper(), std::numeric_limits<double>::infinity()));
+    }
+  }
+}
+}  // namespace
+
+IntervalMatrix rotationOf(const Pose& pose)
+{
+  validate(pose);
+  const Interval x = pose.orientation[0];
+  const Interval y = pose.orientation[1];
+  const Interval z = pose.orientation[2];
+  const Interval w = pose.orientation[3];
+  const Interval n = (sqr(x) + sqr(y)) + (sqr(z) + sqr(w));
+  return { IntervalVector{ diagonal(w, x, y, z, n), mixed(w, x, y, z, n), mixed(-w, z, x, y, n) },
+           IntervalVector{ mixed(-w, x, y, z, n), diagonal(w, y, z, x, n), mixed(w, y, z, x, n) },
+           IntervalVector{ mixed(w, z, x, y, n), mixed(-w, y, z, x, n), diagonal(w, z, x, y, n) } };
+}
+
+IntervalVector transformed(const Pose& pose, const IntervalVector& p)
+{
+  return rotationOf(pose) * p + enclose(pose.translation);
+}
+
+Machine machineInFrame(const Machine& machine, const Pose& pose)
+{
+  const IntervalMatrix rotation = rotationOf(pose);
+  const IntervalVector translation = enclose(pose.translation);
+  Machine::Legs legs = machine.legs();
+  for (Leg& leg : legs)
+  {
+    leg.origin = rotation * leg.origin + translation;
+    leg.axis = rotation * leg.axis;
+    leg.platform = rotation * leg.platform;
+  }
+  keepApart(machine, legs);
+  Machine turned(machine.name(), legs, mid(rotation * enclose(machine.zero()) + translation));
+  if (turned.aspect() != machine.aspect())
+    throw std::invalid_argument("machine '" + machine.name() +
+                                "': rounding its zero configuration in this frame leads into another aspect");
+  return turned;
+}
+}  // namespace pkm_workspace
