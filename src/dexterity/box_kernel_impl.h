@@ -108,12 +108,12 @@ private:
   Verdicts look(const CenteredBox<Real>& box, Question& question) const
   {
     const MachineForms<Real> forms = model_.evaluate(box);
-    const bool dextrous = model_.criterion().set == Criterion::Set::DEXTROUS;
+    const Criterion& criterion = model_.criterion();
     Verdicts verdicts{ everywhere(), !everywhere() };
     for (std::size_t i = 0; i < 3; ++i)
     {
       verdicts.outside = verdicts.outside | (forms.radicand[i].upper() < model_.floor(i));
-      if (!dextrous)  // otherwise implied by the diagonal of S_max
+      if (!criterion.boundsAbove())  // otherwise implied by the diagonal of S_max
         require(forms.radicand[i], question, verdicts);
     }
     for (std::size_t leg = 0; leg < 3; ++leg)
@@ -122,10 +122,12 @@ private:
           require(model_.limitMargin(leg, side, forms, box), question, verdicts);
     if (!any(!verdicts.outside))
       return verdicts;
-    if (dextrous)
+    if (criterion.boundsFactors())
       lookAtFactors(forms, question, verdicts);
-    else if (model_.oriented())
+    if (model_.oriented() && !criterion.settlesAspect())
       require(model_.orientation(forms), question, verdicts);
+    else if (model_.oriented() && !question.is_limited && any(!verdicts.outside))
+      lookAtAspect(forms, verdicts);
     return verdicts;
   }
 
@@ -140,27 +142,41 @@ private:
 
   void lookAtFactors(const MachineForms<Real>& forms, Question& question, Verdicts& verdicts) const
   {
-    for (const bool upper : { true, false })
-    {
-      const SymmetricForms<Real> matrix = upper ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
-      const bool counts = question.wants_worst || any(verdicts.inside);
-      Mask definite = counts ? isPositiveDefinite(matrix) : !everywhere();
-      // a vector with v^T S v < 0 exists only where S is not definite at the center
-      const Mask open = !(definite | verdicts.outside);
-      if (any(question.wants_worst ? open : open & !isDefiniteAtCenter(matrix)))
-        definite = definite | lookAtVector(matrix, definite, question, verdicts);
-      verdicts.inside = verdicts.inside & definite;
-    }
-    if (model_.oriented() && !question.is_limited && any(!verdicts.outside))
-      lookAtAspect(forms, verdicts);
+    if (model_.criterion().boundsAbove())
+      lookAtMatrix(model_.upperMatrix(forms), true, question, verdicts);
+    if (model_.criterion().boundsBelow())
+      lookAtMatrix(model_.lowerMatrix(forms), true, question, verdicts);
+    if (!model_.criterion().boundsCondition())
+      return;
+    ConditionForms<Real> condition;
+    model_.conditionForms(forms, condition);
+    for (const AffineForm<Real>& form : condition.necessary)
+      verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
+    lookAtMatrix(condition.upper, false, question, verdicts);
+    lookAtMatrix(condition.lower, false, question, verdicts);
+  }
+
+  /// @param is_necessary whether points where the matrix is not semidefinite are bad
+  static void lookAtMatrix(const SymmetricForms<Real>& matrix, bool is_necessary, Question& question,
+                           Verdicts& verdicts)
+  {
+    const bool counts = question.wants_worst || any(verdicts.inside);
+    Mask definite = counts ? isPositiveDefinite(matrix) : !everywhere();
+    // a vector with v^T S v < 0 exists only where S is not definite at the center
+    const Mask open = !(definite | verdicts.outside);
+    if (any(question.wants_worst ? open : open & !isDefiniteAtCenter(matrix)))
+      definite = definite | lookAtVector(matrix, definite, is_necessary, question, verdicts);
+    verdicts.inside = verdicts.inside & definite;
   }
 
   /// Tries the vector of the least eigenvalue. @return where the matrix is definite on the half-space
-  static Mask lookAtVector(const SymmetricForms<Real>& matrix, Mask definite, Question& question, Verdicts& verdicts)
+  static Mask lookAtVector(const SymmetricForms<Real>& matrix, Mask definite, bool is_necessary, Question& question,
+                           Verdicts& verdicts)
   {
     const Point v = leastEigenvector(matrix).vector;
     AffineForm<Real> form = quadraticForm(matrix, v);
-    verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
+    if (is_necessary)
+      verdicts.outside = verdicts.outside | (form.upper() < Real(0.0));
     Mask holds = !everywhere();
     if (question.is_limited)
     {
@@ -185,7 +201,7 @@ private:
     return holds;
   }
 
-  /// Where S_min is definite det A has no zero: one point settles its sign.
+  /// Where psi_1 is bounded from below det A has no zero: one point settles its sign.
   void lookAtAspect(const MachineForms<Real>& forms, Verdicts& verdicts) const
   {
     const Enclosed<Real> center = model_.orientationAtCenter(forms);
@@ -202,20 +218,21 @@ private:
     Mask violated = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
       violated = violated | (forms.radicand[i].upper() < model_.floor(i));
-    const bool dextrous = model_.criterion().set == Criterion::Set::DEXTROUS;
-    begin(results, count, violated, dextrous ? 2 : 0);
-    for (std::size_t m = 0; m < 2 && dextrous; ++m)
-    {
-      SymmetricForms<Real> matrix = m == 0 ? model_.upperMatrix(forms) : model_.lowerMatrix(forms);
-      for (AffineForm<Real>& entry : matrix)
-        entry = scaled(entry, 2);
-      for (std::size_t entry = 0; entry < 6; ++entry)
-        for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-          results[lane].matrix[m][entry] = laneOf(matrix[entry], static_cast<int>(lane));
-      append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
-    }
-    for (std::size_t i = 0; i < 3 && !dextrous; ++i)
+    const Criterion& criterion = model_.criterion();
+    begin(results, count, violated);
+    if (criterion.boundsAbove())
+      appendMatrix(model_.upperMatrix(forms), results, count);
+    if (criterion.boundsBelow())
+      appendMatrix(model_.lowerMatrix(forms), results, count);
+    for (std::size_t i = 0; i < 3 && !criterion.boundsAbove(); ++i)
       append(scaled(forms.radicand[i], 2), everywhere(), results, count);
+    if (criterion.boundsCondition())
+    {
+      ConditionForms<Real> condition;
+      model_.conditionForms(forms, condition);
+      for (const AffineForm<Real>& form : condition.necessary)
+        append(form, everywhere(), results, count);
+    }
     if (model_.oriented())
       appendOrientation(forms, results, count);
     for (std::size_t leg = 0; leg < 3; ++leg)
@@ -224,12 +241,24 @@ private:
           append(scaled(model_.limitMargin(leg, side, forms, box), 1), everywhere(), results, count);
   }
 
-  /// Where S_min is definite the sign of det A at one point is the one everywhere: its form helps only where it is
-  /// wrong.
+  void appendMatrix(SymmetricForms<Real> matrix, NecessaryForms* results, std::size_t count) const
+  {
+    for (AffineForm<Real>& entry : matrix)
+      entry = scaled(entry, 2);
+    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
+    {
+      SymmetricForms<double>& result = results[lane].matrix[results[lane].matrices++];
+      for (std::size_t entry = 0; entry < 6; ++entry)
+        result[entry] = laneOf(matrix[entry], static_cast<int>(lane));
+    }
+    append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
+  }
+
+  /// Where the sign of det A at one point is the one everywhere its form helps only where it is wrong.
   void appendOrientation(const MachineForms<Real>& forms, NecessaryForms* results, std::size_t count) const
   {
     Mask useful = everywhere();
-    if (model_.criterion().set == Criterion::Set::DEXTROUS)
+    if (model_.criterion().settlesAspect())
       useful = model_.orientationAtCenter(forms).lower() < Real(0.0);
     if (any(useful))
       append(scaled(model_.orientation(forms), 3), useful, results, count);
@@ -244,19 +273,12 @@ private:
              form.radius * factor };
   }
 
-  static AffineForm<double> laneOf(const AffineForm<Real>& form, int lane)
-  {
-    return { form.center[lane],
-             { form.gradient[0][lane], form.gradient[1][lane], form.gradient[2][lane] },
-             form.radius[lane] };
-  }
-
-  static void begin(NecessaryForms* results, std::size_t count, Mask violated, std::size_t matrices)
+  static void begin(NecessaryForms* results, std::size_t count, Mask violated)
   {
     for (std::size_t lane = 0; lane < W && lane < count; ++lane)
     {
       results[lane].violated = violated[static_cast<int>(lane)];
-      results[lane].matrices = matrices;
+      results[lane].matrices = 0;
       results[lane].forms = 0;
     }
   }

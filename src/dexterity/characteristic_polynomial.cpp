@@ -236,8 +236,10 @@ const Criterion& accepted(const Criterion& criterion)
 {
   Problems problems;
   criterion.validate(problems);
-  if (criterion.set != Criterion::Set::DEXTROUS || criterion.joint_limits)
-    problems.push_back("the characteristic polynomial knows no joint limits and no other set than the dextrous one");
+  if (!criterion.boundsBelow() || !criterion.boundsAbove() || criterion.boundsCondition() || criterion.joint_limits)
+    problems.push_back(
+        "the characteristic polynomial needs factors that are bounded from both sides, and knows neither "
+        "joint limits nor condition numbers");
   throwProblems(problems);
   return criterion;
 }
@@ -253,8 +255,8 @@ int wantedSign(const Machine& machine, Criterion::Aspect aspect)
 CharacteristicTest::CharacteristicTest(const Machine& machine, const Criterion& criterion)
   : machine_(machine)
   , aspect_(wantedSign(machine, accepted(criterion).aspect))
-  , sigma_min_(sqr(Interval(criterion.psi_min)))
-  , sigma_max_(sqr(Interval(criterion.psi_max)))
+  , sigma_min_(sqr(criterion.leastFactor()))
+  , sigma_max_(sqr(criterion.largestFactor()))
 {}
 
 BoxVerdict CharacteristicTest::classify(const Box& box) const

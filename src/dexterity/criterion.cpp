@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/dexterity/criterion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 namespace pkm_workspace
 {
@@ -19,6 +21,10 @@ void throwProblems(const Problems& problems)
 
 namespace
 {
+/// The squares of factors have to be ordinary numbers.
+constexpr double LEAST = 1e-100;
+constexpr double LARGEST = 1e100;
+
 void complain(Problems& problems, const std::string& name, double value, const std::string& allowed)
 {
   std::ostringstream text;
@@ -68,14 +74,69 @@ void Criterion::validate(Problems& problems) const
   const auto refuse = [&problems](const char* name, double value, const std::string& allowed) {
     complain(problems, name, value, "(a transmission factor, without unit) must be " + allowed);
   };
-  // the squares of both have to be ordinary numbers
-  constexpr double LEAST = 1e-100;
-  constexpr double LARGEST = 1e100;
-  if (!(psi_min >= LEAST && psi_min <= LARGEST))
+  const auto isOrdinary = [](double value) { return value >= LEAST && value <= LARGEST; };
+  if (!isOrdinary(psi_min))
     refuse("psi_min", psi_min, "positive and finite (1e-100 to 1e100)");
-  if (!(psi_max >= LEAST && psi_max <= LARGEST))
+  if (!isOrdinary(psi_max))
     refuse("psi_max", psi_max, "positive and finite (1e-100 to 1e100)");
   else if (!(psi_min <= psi_max))
     refuse("psi_max", psi_max, "at least psi_min");
+  if (force_min != 0.0 && !isOrdinary(force_min))
+    refuse("force_min", force_min, "positive and finite (1e-100 to 1e100), or 0 for none");
+  if (force_max != 0.0 && !isOrdinary(force_max))
+    refuse("force_max", force_max, "positive and finite (1e-100 to 1e100), or 0 for none");
+  else if (force_max != 0.0 && !(force_min <= force_max))
+    refuse("force_max", force_max, "at least force_min, or 0 for none");
+  if (kappa_max != 0.0 && !(kappa_max >= 1.0 && kappa_max <= LARGEST))
+    complain(problems, "kappa_max", kappa_max,
+             "(a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+}
+
+Interval Criterion::leastFactor() const
+{
+  if (!(force_max > 0.0))
+    return psi_min;
+  const Interval force = Interval(1.0) / Interval(force_max);
+  if (set == Set::REACHABLE)
+    return force;
+  return { std::max(psi_min, force.lower()), std::max(psi_min, force.upper()) };
+}
+
+Interval Criterion::largestFactor() const
+{
+  if (!(force_min > 0.0))
+    return psi_max;
+  const Interval force = Interval(1.0) / Interval(force_min);
+  if (set == Set::REACHABLE)
+    return force;
+  return { std::min(psi_max, force.lower()), std::min(psi_max, force.upper()) };
+}
+
+bool operator==(const Criterion& a, const Criterion& b)
+{
+  const auto values = [](const Criterion& c) {
+    return std::tie(c.set, c.aspect, c.psi_min, c.psi_max, c.force_min, c.force_max, c.kappa_max, c.joint_limits);
+  };
+  return values(a) == values(b);
+}
+
+std::string describe(const Criterion& criterion)
+{
+  constexpr const char* ASPECTS[] = { "own", "other", "either" };
+  std::ostringstream text;
+  text.precision(17);
+  if (criterion.set == Criterion::Set::DEXTROUS)
+    text << "dextrous with psi in [" << criterion.psi_min << ", " << criterion.psi_max << "]";
+  else
+    text << "reachable";
+  if (criterion.force_min > 0.0)
+    text << ", force factors at least " << criterion.force_min;
+  if (criterion.force_max > 0.0)
+    text << ", force factors at most " << criterion.force_max;
+  if (criterion.kappa_max > 0.0)
+    text << ", condition number at most " << criterion.kappa_max;
+  text << ", " << ASPECTS[static_cast<std::size_t>(criterion.aspect)] << " aspect, joint limits "
+       << (criterion.joint_limits ? "on" : "off");
+  return text.str();
 }
 }  // namespace pkm_workspace

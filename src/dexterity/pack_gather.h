@@ -25,6 +25,14 @@ inline std::array<Pack<W>, 3> gather(const Eigen::Vector3d* vectors, std::size_t
   return pointOf<W>(coordinates);
 }
 
+template <int W>
+inline AffineForm<double> laneOf(const AffineForm<Pack<W>>& form, int lane)
+{
+  return { form.center[lane],
+           { form.gradient[0][lane], form.gradient[1][lane], form.gradient[2][lane] },
+           form.radius[lane] };
+}
+
 /// Form by form.
 template <int W>
 inline AffineForm<Pack<W>> select(LaneMask<W> mask, const AffineForm<Pack<W>>& a, const AffineForm<Pack<W>>& b)

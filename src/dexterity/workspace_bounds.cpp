@@ -62,9 +62,9 @@ Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
 
 Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
 {
-  if (criterion.set == Criterion::Set::REACHABLE)
+  if (!criterion.boundsAbove())
     return leg.length;
-  const Interval share = Interval(1.0) - Interval(1.0) / sqr(Interval(criterion.psi_max));
+  const Interval share = Interval(1.0) - Interval(1.0) / sqr(criterion.largestFactor());
   return leg.length * sqrt(Interval(std::max(0.0, share.lower()), std::max(0.0, share.upper())));
 }
 

@@ -10,20 +10,6 @@ namespace pkm_workspace
 {
 namespace
 {
-std::string describe(const Criterion& criterion)
-{
-  constexpr const char* ASPECTS[] = { "own", "other", "either" };
-  std::ostringstream text;
-  text.precision(17);
-  if (criterion.set == Criterion::Set::DEXTROUS)
-    text << "dextrous with psi in [" << criterion.psi_min << ", " << criterion.psi_max << "]";
-  else
-    text << "reachable";
-  text << ", " << ASPECTS[static_cast<std::size_t>(criterion.aspect)] << " aspect, joint limits "
-       << (criterion.joint_limits ? "on" : "off");
-  return text.str();
-}
-
 std::string describe(const Box& box)
 {
   std::ostringstream text;

@@ -16,7 +16,7 @@ namespace
 // In order: magic, format, size of the file, version of the library, number of pavings; each paving: geometry hash,
 // criterion, resolution, box, its tree with one byte a box; last, the checksum of all before it.
 const std::string MAGIC = "PKM paving\n";
-constexpr std::uint32_t FORMAT = 1;
+constexpr std::uint32_t FORMAT = 2;
 constexpr std::size_t CHECKSUM_BYTES = sizeof(std::uint32_t);
 
 /// CRC-32 of the first bytes.
@@ -33,8 +33,9 @@ void put(const Paving& paving, ByteWriter& writer)
   writer.text(paving.geometry_hash);
   writer.number(static_cast<std::uint8_t>(criterion.set));
   writer.number(static_cast<std::uint8_t>(criterion.aspect));
-  writer.real(criterion.psi_min);
-  writer.real(criterion.psi_max);
+  for (const double bound :
+       { criterion.psi_min, criterion.psi_max, criterion.force_min, criterion.force_max, criterion.kappa_max })
+    writer.real(bound);
   writer.number(static_cast<std::uint8_t>(criterion.joint_limits));
   writer.real(paving.resolution);
   for (const Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })
@@ -79,8 +80,9 @@ Paving takePaving(ByteReader& reader)
   paving.geometry_hash = reader.text();
   criterion.set = takeOneOf<Criterion::Set>(2, reader);
   criterion.aspect = takeOneOf<Criterion::Aspect>(3, reader);
-  criterion.psi_min = reader.real();
-  criterion.psi_max = reader.real();
+  for (double* bound :
+       { &criterion.psi_min, &criterion.psi_max, &criterion.force_min, &criterion.force_max, &criterion.kappa_max })
+    *bound = reader.real();
   criterion.joint_limits = takeOneOf<bool>(2, reader);
   paving.resolution = reader.real();
   for (Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })

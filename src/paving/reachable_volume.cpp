@@ -134,7 +134,7 @@ Interval shareAbove(const Interval& constant, const std::array<double, 3>& slope
 
 Interval reachableVolume(const Machine& machine, const Criterion& criterion, const Paving& paving, const Budget& budget)
 {
-  if (criterion.set != Criterion::Set::REACHABLE)
+  if (criterion.boundsFactors())
     throw std::invalid_argument("the volume between planes is known for reachable sets only");
   const MachineModel<double> model(machine, criterion);
   ThreadPool pool(budget.threads);

@@ -17,8 +17,9 @@ void RegionQuery::validate(Problems& problems) const
     problems.push_back("ratio = [" + std::to_string(ratio->lower) + ", " + std::to_string(ratio->upper) +
                        "] must be from 1e-6 to 1e6, the least one first");
   criterion.validate(problems);
-  if (criterion.aspect == Criterion::Aspect::BOTH)
-    problems.push_back("a region lies in one aspect: ask for the machine's own or for the other one");
+  if (criterion.aspect == Criterion::Aspect::BOTH && criterion.settlesAspect())
+    problems.push_back(
+        "a region with bounded factors lies in one aspect: ask for the machine's own or for the other one");
   validatePositive("accuracy", accuracy, "(in the unit of the size, m for edges)", problems);
   budget.validate(problems);
   if (search_box)

@@ -16,14 +16,9 @@ namespace
 constexpr double SECONDS = 5.0;          // a picture is not worth more
 constexpr std::int64_t BOXES = 2000000;  // nor can rviz draw much more
 
-bool isSame(const Criterion& a, const Criterion& b)
-{
-  return a.psi_min == b.psi_min && a.psi_max == b.psi_max && a.joint_limits == b.joint_limits;
-}
-
 bool isSame(const PavingQuery& a, const PavingQuery& b)
 {
-  return isSame(a.criterion, b.criterion) && a.box->lower == b.box->lower && a.box->upper == b.box->upper;
+  return a.criterion == b.criterion && a.box->lower == b.box->lower && a.box->upper == b.box->upper;
 }
 }  // namespace
 

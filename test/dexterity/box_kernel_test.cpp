@@ -23,25 +23,29 @@ struct Question
   Machine machine;
   Criterion criterion;
 
-  std::string text() const
-  {
-    constexpr const char* ASPECTS[] = { ", own", ", other", ", both" };
-    return machine.name() + (criterion.set == Criterion::Set::DEXTROUS ? ", dextrous" : ", reachable") +
-           ASPECTS[static_cast<int>(criterion.aspect)] + ", seed " + std::to_string(SEED);
-  }
+  std::string text() const { return machine.name() + ", " + describe(criterion) + ", seed " + std::to_string(SEED); }
 };
 
-/// Every machine with and without joint limits, both sets, and all aspects.
+/// Every kind of bounds on the factors.
+std::vector<Criterion> everyBound()
+{
+  std::vector<Criterion> criteria(4);
+  for (std::size_t k = 1; k < 4; ++k)
+    criteria[k].set = Criterion::Set::REACHABLE;
+  criteria[2].kappa_max = 6.0;
+  criteria[3].force_max = 2.5;
+  return criteria;
+}
+
+/// Every machine with and without joint limits, all bounds, and all aspects.
 std::vector<Question> everyQuestion()
 {
   std::vector<Question> questions;
   for (const Machine& machine : everyKind())
     for (const bool joint_limits : { false, true })
-      for (const Criterion::Set set : { Criterion::Set::DEXTROUS, Criterion::Set::REACHABLE })
+      for (Criterion criterion : everyBound())
         for (const auto aspect : { Criterion::Aspect::OWN, Criterion::Aspect::OTHER, Criterion::Aspect::BOTH })
         {
-          Criterion criterion;
-          criterion.set = set;
           criterion.aspect = aspect;
           criterion.joint_limits = joint_limits;
           questions.push_back({ joint_limits ? limited(machine) : machine, criterion });

@@ -43,10 +43,11 @@ TEST(HalfSpace, insideHoldsAtEveryPointOfBoth)
 {
   int found = 0;
   for (const Machine& machine : test::everyKind())
-    for (const auto set : { Criterion::Set::DEXTROUS, Criterion::Set::REACHABLE })
+    for (const double kappa_max : { 0.0, 3.5, -1.0 })
     {
       Criterion criterion;
-      criterion.set = set;
+      criterion.set = kappa_max < 0.0 ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
+      criterion.kappa_max = std::max(0.0, kappa_max);
       criterion.aspect = Criterion::Aspect::BOTH;
       const BoxTest test(machine, criterion);
       const test::Oracle oracle(machine, criterion);

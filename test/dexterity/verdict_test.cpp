@@ -16,13 +16,21 @@ constexpr unsigned SEED = 20260601;
 
 std::vector<Criterion> everyCriterion()
 {
-  std::vector<Criterion> criteria(5);
+  std::vector<Criterion> criteria(9);
   criteria[1].psi_min = 1.0 / 3.0;
   criteria[1].psi_max = 3.0;
   criteria[2].aspect = Criterion::Aspect::OTHER;
   criteria[3].set = Criterion::Set::REACHABLE;
   criteria[4].set = Criterion::Set::REACHABLE;
   criteria[4].aspect = Criterion::Aspect::BOTH;
+  for (std::size_t k = 5; k < 8; ++k)
+    criteria[k].set = Criterion::Set::REACHABLE;
+  criteria[5].force_min = 0.4;
+  criteria[6].force_max = 3.0;
+  criteria[7].kappa_max = 4.0;
+  criteria[8].force_min = 0.6;
+  criteria[8].force_max = 1.9;
+  criteria[8].kappa_max = 2.5;
   return criteria;
 }
 
@@ -168,5 +176,40 @@ TEST(Criterion, refusesEverythingThatIsOutOfRangeAtOnce)
   test::expectThrow<std::invalid_argument>(construct, "psi_max = 2 .*at least psi_min");
   criterion.psi_max = std::numeric_limits<double>::quiet_NaN();
   test::expectThrow<std::invalid_argument>(construct, "psi_max = nan");
+  criterion.force_min = -1.0;
+  criterion.kappa_max = 0.5;
+  test::expectThrow<std::invalid_argument>(construct, "force_min = -1 .*must be positive");
+  test::expectThrow<std::invalid_argument>(construct, "kappa_max = 0.5 .*at least 1");
+  criterion.force_min = 2.0;
+  criterion.force_max = 1.0;
+  test::expectThrow<std::invalid_argument>(construct, "force_max = 1 .*at least force_min");
+}
+
+TEST(Criterion, forceFactorsBoundTheVelocityFactorsFromTheOtherSide)
+{
+  Criterion criterion;
+  criterion.force_min = 0.3;
+  criterion.force_max = 1.5;
+  EXPECT_EQ(criterion.largestFactor(), Interval(2.0)) << "1 / 0.3 is larger than psi_max";
+  EXPECT_LE((criterion.leastFactor() * Interval(1.5)).lower(), 1.0);
+  EXPECT_GE((criterion.leastFactor() * Interval(1.5)).upper(), 1.0);
+  criterion.set = Criterion::Set::REACHABLE;
+  EXPECT_GT(criterion.largestFactor().lower(), 3.3);
+  criterion.force_max = 0.0;
+  EXPECT_FALSE(criterion.boundsBelow());
+  EXPECT_TRUE(criterion.boundsAbove());
+}
+
+// values.md: on the diagonal psi_1 = psi_2 = 1 - k and psi_3 = 1 + 2 k for k > 0 of the unit Orthoglide.
+TEST(BoxTest, conditionNumberOnTheDiagonalOfTheOrthoglideEndsWhereItIsKnownTo)
+{
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.kappa_max = 2.0;
+  const BoxTest test(orthoglide(), criterion);
+  const double k = 0.25;  // (1 + 2 k) / (1 - k) = 2
+  const double border = k / std::sqrt(1.0 + 2.0 * k * k);
+  EXPECT_EQ(test.classify(Eigen::Vector3d::Constant(border - 1e-12)), BoxVerdict::INSIDE);
+  EXPECT_EQ(test.classify(Eigen::Vector3d::Constant(border + 1e-12)), BoxVerdict::OUTSIDE);
 }
 }  // namespace pkm_workspace

@@ -256,10 +256,10 @@ TEST(CharacteristicTest, refusesWhatThePolynomialDoesNotKnow)
   Criterion criterion;
   criterion.joint_limits = true;
   const auto construct = [&criterion] { CharacteristicTest(orthoglide(), criterion); };
-  test::expectThrow<std::invalid_argument>(construct, "knows no joint limits");
+  test::expectThrow<std::invalid_argument>(construct, "knows neither joint limits nor condition");
   criterion = Criterion();
   criterion.set = Criterion::Set::REACHABLE;
-  test::expectThrow<std::invalid_argument>(construct, "no other set than the dextrous one");
+  test::expectThrow<std::invalid_argument>(construct, "bounded from both sides");
   criterion.psi_min = -1.0;
   test::expectThrow<std::invalid_argument>(construct, "psi_min = -1 .*must be positive");
 }

@@ -208,8 +208,8 @@ TEST_F(PavingFile, refusalsTellTheReason)
   changed[bytes.size() / 2] ^= 1;
   refuses(changed, "checksum .*altered");
   changed = bytes;
-  changed[11] = 2;
-  refuses(changed, "format 2, this program reads format 1");
+  changed[11] = 3;
+  refuses(changed, "format 3, this program reads format 2");
   changed = bytes;
   changed[27] = '9';
   refuses(signedAgain(changed), "version 9\\S+ wrote it, this is version \\d");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 
@@ -34,9 +35,14 @@ public:
     const int wanted = criterion_.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
     if (criterion_.aspect != Criterion::Aspect::BOTH && wanted * det(strut) <= 0)
       return false;
-    if (criterion_.set == Criterion::Set::REACHABLE)
-      return true;
-    return isSemidefinite(strut, eta, criterion_.psi_min, 1) && isSemidefinite(strut, eta, criterion_.psi_max, -1);
+    const auto isWithin = [&](const Number& lower, const Number& upper) {
+      return (lower == 0 || isSemidefinite(strut, eta, lower, 1)) &&
+             (upper == 0 || isSemidefinite(strut, eta, upper, -1));
+    };
+    const auto inverse = [](double factor) { return factor > 0.0 ? 1 / Number(factor) : Number(0); };
+    return (criterion_.set == Criterion::Set::REACHABLE || isWithin(criterion_.psi_min, criterion_.psi_max)) &&
+           isWithin(inverse(criterion_.force_max), inverse(criterion_.force_min)) &&
+           (criterion_.kappa_max == 0.0 || condition(strut, eta) <= criterion_.kappa_max);
   }
 
   /// rho of leg i [m]; the point must be reachable.
@@ -91,13 +97,38 @@ private:
     return !criterion_.joint_limits || (rho >= leg.limits.lower() && rho <= leg.limits.upper());
   }
 
+  /// psi_3 / psi_1: the root of the quotient of the extreme eigenvalues of B^-1 A A^T B^-1, by the roots of a cubic in
+  /// the form of Vieta.
+  static Number condition(const std::array<Vector, 3>& strut, const Vector& eta)
+  {
+    std::array<Vector, 3> m;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        m[i][j] = dot(strut[i], strut[j]) / (eta[i] * eta[j]);
+    const Number mean = (m[0][0] + m[1][1] + m[2][2]) / 3;
+    Number squares = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      m[i][i] -= mean;
+      squares += dot(m[i], m[i]);
+    }
+    const Number spread = sqrt(squares / 6);
+    if (spread == 0)
+      return 1;
+    const Number cosine = det(m) / (2 * spread * spread * spread);
+    const Number angle = acos(cosine < -1 ? Number(-1) : cosine > 1 ? Number(1) : cosine) / 3;
+    const Number third = 2 * boost::math::constants::pi<Number>() / 3;
+    const Number least = mean + 2 * spread * cos(angle + third);
+    return least > 0 ? Number(sqrt((mean + 2 * spread * cos(angle)) / least)) : Number(1e300);
+  }
+
   /// Whether sign * (A A^T - psi^2 B^2) is positive semidefinite, by all its principal minors.
-  static bool isSemidefinite(const std::array<Vector, 3>& strut, const Vector& eta, double psi, int sign)
+  static bool isSemidefinite(const std::array<Vector, 3>& strut, const Vector& eta, const Number& psi, int sign)
   {
     std::array<Vector, 3> s;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        s[i][j] = sign * (dot(strut[i], strut[j]) - (i == j ? Number(psi) * psi * eta[i] * eta[i] : Number(0)));
+        s[i][j] = sign * (dot(strut[i], strut[j]) - (i == j ? psi * psi * eta[i] * eta[i] : Number(0)));
     bool good = det(s) >= 0;
     for (std::size_t i = 0; i < 3; ++i)
     {

@@ -22,12 +22,13 @@ enum class BoxVerdict : unsigned char
 /// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
 struct NecessaryForms
 {
-  static constexpr std::size_t MOST = 10;  ///< 3 for the factors or the reach, 1 for the aspect, 6 for the joint limits
+  /// 2 for the factors, 3 each for the reach and the condition number, 1 for the aspect, 6 for the joint limits.
+  static constexpr std::size_t MOST = 15;
 
   bool violated = false;                         ///< no point of the box can satisfy the criterion, proved
-  std::size_t matrices = 0;                      ///< 2 for the transmission factors, otherwise 0
+  std::size_t matrices = 0;                      ///< one for each side on which the factors are bounded
   std::size_t forms = 0;                         ///< how many of the forms are in use; the aspect's only where in doubt
-  std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, without unit
+  std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, those that count, without unit
   std::array<AffineForm<double>, MOST> form;     ///< without unit; the first ones are v^T S v for the matrices
 };
 
@@ -42,8 +43,8 @@ public:
   virtual std::size_t width() const = 0;
   /// One look at each box as a whole, without subdivision.
   /// @param worst for boxes that stay undecided the form v^T S v that stands in the way, or one that is 0; or nullptr
-  /// @param within one for each box, or nullptr: INSIDE is then said of the points that lie in both, and, for the set
-  /// DEXTROUS, of all but the aspect: one point of a connected region settles that
+  /// @param within one for each box, or nullptr: INSIDE is then said of the points that lie in both, and, where the
+  /// criterion settles it, of all but the aspect: one point of a connected region settles that
   virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst = nullptr,
                         const HalfSpace* within = nullptr) const = 0;
   /// The necessary forms at the centers' box, moved by size * offset for each offset.

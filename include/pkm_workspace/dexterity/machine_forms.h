@@ -32,6 +32,27 @@ struct MachineNumbers
   std::array<std::array<Real, 3>, 3> strut;  ///< [m]
 };
 
+/// The eigenvalues psi_1^2 and psi_3^2 of (J J^T)^-1 at one point, in floating point, and vectors u with
+/// A A^T u = psi^2 B^2 u and u^T B^2 u = 1 [1/m].
+template <class Real>
+struct ExtremeFactors
+{
+  Eigenpair<Real> least;
+  std::array<Real, 3> middle;
+  Eigenpair<Real> largest;
+};
+
+/// What bounds the condition number psi_3 / psi_1 <= kappa on a box. With one affine level t for psi_1^2 the condition
+/// holds wherever A A^T - t B^2 and kappa^2 t B^2 - A A^T are both definite; and for any two vectors u and v it makes
+/// (u^T A A^T u)(v^T B^2 v) - (v^T A A^T v)(u^T B^2 u) / kappa^2 >= 0, by the quotients of Rayleigh.
+template <class Real>
+struct ConditionForms
+{
+  SymmetricForms<Real> lower;                 ///< A A^T - t B^2 [m^2]
+  SymmetricForms<Real> upper;                 ///< kappa^2 t B^2 - A A^T [m^2]
+  std::array<AffineForm<Real>, 3> necessary;  ///< for three pairs of eigenvectors, the extreme ones first; without unit
+};
+
 /// A machine and a criterion, prepared for the evaluation of boxes. Real is double or a multi-precision type.
 /// Thread-safe: constant after construction.
 template <class Real>
@@ -64,6 +85,8 @@ public:
   SymmetricForms<Real> lowerMatrix(const MachineForms<Real>& forms) const;
   /// S_max = psi_max^2 B^2 - A A^T [m^2].
   SymmetricForms<Real> upperMatrix(const MachineForms<Real>& forms) const;
+  /// What the bound on the condition number says over the box.
+  void conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const;
   /// det A [m^3] times the sign that the criterion's aspect asks for: positive where the aspect is right.
   AffineForm<Real> orientation(const MachineForms<Real>& forms) const;
   /// The same at delta = 0 only.
@@ -81,6 +104,8 @@ public:
 private:
   Real limitMargin(std::size_t leg, const MachineNumbers<Real>& at, const std::array<Real, 3>& p) const;
   Real factorMargin(const MachineNumbers<Real>& at) const;
+  ExtremeFactors<Real> extremeFactors(const std::array<Real, 3>& radicand, const std::array<Real, 3>& gram) const;
+  AffineForm<Real> level(const MachineForms<Real>& forms, const ExtremeFactors<Real>& factors) const;
 
   template <class>
   friend class MachineModel;
@@ -103,6 +128,8 @@ private:
   std::array<LegModel, 3> legs_;
   Enclosed<Real> psi_max_squared_;
   Enclosed<Real> minus_psi_min_squared_;
+  Enclosed<Real> per_kappa_squared_;
+  Enclosed<Real> kappa_squared_;
   Enclosed<Real> aspect_sign_;
   Real squared_scale_ = Real(1);
 };
@@ -110,4 +137,5 @@ private:
 extern template class MachineModel<double>;
 }  // namespace pkm_workspace
 
+#include "pkm_workspace/dexterity/condition_forms_impl.h"
 #include "pkm_workspace/dexterity/machine_forms_impl.h"

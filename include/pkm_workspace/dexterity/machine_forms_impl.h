@@ -10,8 +10,11 @@ namespace pkm_workspace
 template <class Real>
 MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criterion)
   : criterion_(validated(criterion))
-  , psi_max_squared_(sqr(Interval(criterion.psi_max)))
-  , minus_psi_min_squared_(-sqr(Interval(criterion.psi_min)))
+  , psi_max_squared_(criterion.boundsAbove() ? squared<Real>(criterion.largestFactor()) : Enclosed<Real>())
+  , minus_psi_min_squared_(criterion.boundsBelow() ? -squared<Real>(criterion.leastFactor()) : Enclosed<Real>())
+  , per_kappa_squared_(criterion.boundsCondition() ? squared<Real>(Interval(1.0) / Interval(criterion.kappa_max))
+                                                   : Enclosed<Real>())
+  , kappa_squared_(squared<Real>(criterion.kappa_max))
   , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
 {
@@ -27,8 +30,8 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
     model.squared_length = Enclosed<Real>(squared_length);
     model.minus_squared_length = Enclosed<Real>(-squared_length);
     model.sign = Enclosed<Real>(Interval(leg.working_mode));
-    if (criterion.set == Criterion::Set::DEXTROUS)
-      model.floor = Real((squared_length / sqr(Interval(criterion.psi_max))).lower());
+    if (criterion.boundsAbove())
+      model.floor = Real((squared_length / sqr(criterion.largestFactor())).lower());
     if (!criterion.joint_limits)
       continue;
     model.limited = { leg.limits.lower() > -std::numeric_limits<double>::infinity(),
@@ -44,6 +47,8 @@ MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
   : criterion_(model.criterion_)
   , psi_max_squared_(model.psi_max_squared_)
   , minus_psi_min_squared_(model.minus_psi_min_squared_)
+  , per_kappa_squared_(model.per_kappa_squared_)
+  , kappa_squared_(model.kappa_squared_)
   , aspect_sign_(model.aspect_sign_)
   , squared_scale_(model.squared_scale_)
 {
@@ -130,8 +135,8 @@ Real MachineModel<Real>::margin(const std::array<Real, 3>& p) const
   if (oriented())
     least = min(least, aspect_sign_.value * eigen::dot(at.strut[0], eigen::cross(at.strut[1], at.strut[2])) *
                            (per_square * per_length));
-  if (criterion_.set == Criterion::Set::DEXTROUS)
-    least = min(least, factorMargin(at) * per_square);
+  if (criterion_.boundsFactors())
+    least = min(least, factorMargin(at));
   return select(reach < Real(0), reach, least);  // beyond reach nothing else has a meaning
 }
 
@@ -149,7 +154,7 @@ Real MachineModel<Real>::limitMargin(std::size_t leg, const MachineNumbers<Real>
   return !model.limited[1] ? above : !model.limited[0] ? below : min(above, below);
 }
 
-/// The least eigenvalue of S_min and S_max [m^2].
+/// The least eigenvalue of S_min and S_max in squared struts, and psi_1^2 - psi_3^2 / kappa_max^2.
 template <class Real>
 Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
 {
@@ -165,7 +170,18 @@ Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
     upper[3 + i] = -gram[i];
     lower[3 + i] = gram[i];
   }
-  return min(eigen::leastEigenpair(upper).value, eigen::leastEigenpair(lower).value);
+  const Real per_square = Real(1) / squared_scale_;
+  Real margin(1e300);
+  if (criterion_.boundsAbove())
+    margin = eigen::leastEigenpair(upper).value * per_square;
+  if (criterion_.boundsBelow())
+    margin = min(margin, eigen::leastEigenpair(lower).value * per_square);
+  if (criterion_.boundsCondition())
+  {
+    const ExtremeFactors<Real> factors = extremeFactors(at.radicand, gram);
+    margin = min(margin, factors.least.value - per_kappa_squared_.value * factors.largest.value);
+  }
+  return margin;
 }
 
 template <class Real>

@@ -3,12 +3,23 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "pkm_workspace/interval/affine_form.h"
 #include "pkm_workspace/interval/interval_vector.h"
 
 namespace pkm_workspace
 {
+/// Encloses x^2 as closely as the type allows.
+template <class Real>
+inline Enclosed<Real> squared(const Interval& x)
+{
+  if constexpr (std::is_same<typename rounding::ScalarOf<Real>::Type, double>::value)
+    return Enclosed<Real>(sqr(x));
+  else
+    return Enclosed<Real>(x) * Enclosed<Real>(x);
+}
+
 /// A constant vector or matrix in doubles with one bound on the error of every entry.
 template <class Real>
 struct EnclosedVector
