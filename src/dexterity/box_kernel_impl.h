@@ -46,32 +46,24 @@ public:
   {
     for (std::size_t first = 0; first < count; first += W)
     {
-      double lower[3][W], upper[3][W];
-      for (std::size_t lane = 0; lane < W; ++lane)
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          const Box& box = boxes[first + lane < count ? first + lane : count - 1];
-          lower[k][lane] = box.lower.data()[k];
-          upper[k][lane] = box.upper.data()[k];
-        }
-      const CenteredBox<Real> box(pointOf<W>(lower), pointOf<W>(upper));
+      const CenteredBox<Real> box = gather<W>(boxes + first, count - first);
       Question question;
       if (within)
         question.slack = slackOf<W>(within + first, count - first, box);
       question.is_limited = within != nullptr;
       question.wants_worst = worst != nullptr;
-      const Verdicts found = look(box, question);
+      const Verdicts found = look(model_.evaluate(box), box, question);
       for (int lane = 0; lane < W && first + static_cast<std::size_t>(lane) < count; ++lane)
       {
         const std::size_t k = first + static_cast<std::size_t>(lane);
-        verdicts[k] = found.outside[lane]  ? BoxVerdict::OUTSIDE
-                      : found.inside[lane] ? BoxVerdict::INSIDE
-                                           : BoxVerdict::UNDECIDED;
+        verdicts[k] = verdictOf(found, lane);
         if (worst)
           worst[k] = verdicts[k] == BoxVerdict::UNDECIDED ? laneOf(question.worst, lane) : AffineForm<double>();
       }
     }
   }
+
+  void look(const PathPiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
 
   void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                       std::size_t count, NecessaryForms* results) const override
@@ -104,10 +96,15 @@ public:
 private:
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
-  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the rest of the answer to the question.
-  Verdicts look(const CenteredBox<Real>& box, Question& question) const
+  static BoxVerdict verdictOf(const Verdicts& found, int lane)
   {
-    const MachineForms<Real> forms = model_.evaluate(box);
+    return found.outside[lane] ? BoxVerdict::OUTSIDE : found.inside[lane] ? BoxVerdict::INSIDE : BoxVerdict::UNDECIDED;
+  }
+
+  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the rest of the answer to the question.
+  template <class Domain>
+  Verdicts look(const MachineForms<Real>& forms, const Domain& box, Question& question) const
+  {
     const Criterion& criterion = model_.criterion();
     Verdicts verdicts{ everywhere(), !everywhere() };
     for (std::size_t i = 0; i < 3; ++i)
@@ -294,3 +291,5 @@ private:
   std::array<Real, 4> per_scale_;  ///< powers of about 1 / the longest strut
 };
 }  // namespace pkm_workspace
+
+#include "path_look_impl.h"

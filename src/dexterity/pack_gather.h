@@ -25,12 +25,54 @@ inline std::array<Pack<W>, 3> gather(const Eigen::Vector3d* vectors, std::size_t
   return pointOf<W>(coordinates);
 }
 
+/// Boxes side by side.
+template <int W>
+inline CenteredBox<Pack<W>> gather(const Box* boxes, std::size_t count)
+{
+  double lower[3][W], upper[3][W];
+  for (std::size_t lane = 0; lane < W; ++lane)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Box& box = boxes[lane < count ? lane : count - 1];
+      lower[k][lane] = box.lower.data()[k];
+      upper[k][lane] = box.upper.data()[k];
+    }
+  return { pointOf<W>(lower), pointOf<W>(upper) };
+}
+
 template <int W>
 inline AffineForm<double> laneOf(const AffineForm<Pack<W>>& form, int lane)
 {
   return { form.center[lane],
            { form.gradient[0][lane], form.gradient[1][lane], form.gradient[2][lane] },
            form.radius[lane] };
+}
+
+/// One of the boxes of each piece.
+template <int W>
+inline SkewBox<Pack<W>> gather(const PathPiece* pieces, SkewBox<double> PathPiece::*box, std::size_t count)
+{
+  double numbers[13][W];
+  for (std::size_t lane = 0; lane < W; ++lane)
+  {
+    const SkewBox<double>& from = pieces[lane < count ? lane : count - 1].*box;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      numbers[k][lane] = from.center[k];
+      for (std::size_t j = 0; j < 3; ++j)
+        numbers[3 + 3 * k + j][lane] = from.edges[k][j];
+    }
+    numbers[12][lane] = from.slack;
+  }
+  SkewBox<Pack<W>> result;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    result.center[k] = Pack<W>::load(numbers[k]);
+    for (std::size_t j = 0; j < 3; ++j)
+      result.edges[k][j] = Pack<W>::load(numbers[3 + 3 * k + j]);
+  }
+  result.slack = Pack<W>::load(numbers[12]);
+  return result;
 }
 
 /// Form by form.

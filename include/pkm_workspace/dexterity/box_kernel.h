@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/dexterity/path_piece.h"
 #include "pkm_workspace/interval/half_space.h"
 
 namespace pkm_workspace
@@ -47,6 +48,10 @@ public:
   /// criterion settles it, of all but the aspect: one point of a connected region settles that
   virtual void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst = nullptr,
                         const HalfSpace* within = nullptr) const = 0;
+  /// One look at each piece as a whole: its verdict as that of a box, and what the machine does on it.
+  /// @param motions one for each piece, or nullptr; all numbers where a strut is not proved to reach, with the margin
+  /// that psi_max asks for
+  virtual void look(const PathPiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
   /// The necessary forms at the centers' box, moved by size * offset for each offset.
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                               std::size_t count, NecessaryForms* results) const = 0;

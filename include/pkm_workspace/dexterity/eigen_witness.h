@@ -37,6 +37,15 @@ inline Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b)
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
+/// u^T M v.
+template <class Real>
+inline Real product(const Vector<Real>& u, const Symmetric<Real>& m, const Vector<Real>& v)
+{
+  const Vector<Real> image = { m[0] * v[0] + m[5] * v[1] + m[4] * v[2], m[5] * v[0] + m[1] * v[1] + m[3] * v[2],
+                               m[4] * v[0] + m[3] * v[1] + m[2] * v[2] };
+  return dot(u, image);
+}
+
 /// The longer one.
 template <class Real>
 inline Vector<Real> longer(const Vector<Real>& a, const Vector<Real>& b)
@@ -99,9 +108,54 @@ inline Eigenpair<Real> leastEigenpair(const Symmetric<Real>& m)
   const Real scale = Real(1) / sqrt(dot(v, v));
   for (auto& component : v)
     component = component * scale;
-  const Vector<Real> image = { m[0] * v[0] + m[5] * v[1] + m[4] * v[2], m[5] * v[0] + m[1] * v[1] + m[3] * v[2],
-                               m[4] * v[0] + m[3] * v[1] + m[2] * v[2] };
-  return { dot(v, image), v };
+  return { product(v, m, v), v };
+}
+
+/// An eigenvalue and its eigenvector for each k, nearly: ascending, orthonormal also where eigenvalues coincide.
+template <class Real>
+struct Basis
+{
+  std::array<Real, 3> value;
+  std::array<Vector<Real>, 3> vector;
+};
+
+template <class Real>
+inline Vector<Real> combined(const Real& s, const Vector<Real>& a, const Real& t, const Vector<Real>& b)
+{
+  return { s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2] };
+}
+
+/// The least pair, and in the plane across it those of a 2x2 matrix.
+template <class Real>
+inline Basis<Real> basisOf(const Symmetric<Real>& m)
+{
+  using std::sqrt;
+  Basis<Real> basis;
+  const auto least = leastEigenpair(m);
+  const Vector<Real> any = across(least.vector);
+  const auto lies_across = dot(any, any) > Real(0.25);
+  const Vector<Real> other = cross(least.vector, Vector<Real>{ Real(0), Real(0), Real(1) });
+  Vector<Real> a;
+  for (std::size_t k = 0; k < 3; ++k)
+    a[k] = select(lies_across, any[k], other[k]);
+  const Real scale = Real(1) / sqrt(dot(a, a));
+  a = combined(scale, a, Real(0), a);
+  const Vector<Real> b = cross(least.vector, a);
+  const Real p = product(a, m, a), q = product(b, m, b), r = product(a, m, b);
+  const Real half_gap = Real(0.5) * (p - q);
+  const Real root = sqrt(half_gap * half_gap + r * r);
+  // the upper vector is (half_gap + root, r) or (r, root - half_gap): the one without cancellation
+  const auto first = half_gap > Real(0);
+  const Real x = select(first, half_gap + root, r);
+  const Real y = select(first, r, root - half_gap);
+  const Real squared = x * x + y * y;
+  const auto is_round = !(squared > Real(0));
+  const Real inverse = Real(1) / sqrt(select(is_round, Real(1), squared));
+  const Real cosine = select(is_round, Real(1), x * inverse);
+  const Real sine = y * inverse;
+  basis.vector = { least.vector, combined(-sine, a, cosine, b), combined(cosine, a, sine, b) };
+  basis.value = { least.value, Real(0.5) * (p + q) - root, Real(0.5) * (p + q) + root };
+  return basis;
 }
 }  // namespace eigen
 

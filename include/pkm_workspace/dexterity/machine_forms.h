@@ -72,8 +72,9 @@ public:
   /// The square of the longest strut [m^2]: makes margins comparable between machines.
   Real squaredScale() const { return squared_scale_; }
 
-  /// Forms over the box.
-  MachineForms<Real> evaluate(const CenteredBox<Real>& box) const;
+  /// Forms over the box, a CenteredBox or a SkewBox.
+  template <class Domain>
+  MachineForms<Real> evaluate(const Domain& box) const;
   /// Numbers at the point p [m]: for finding points, not for proving anything.
   MachineNumbers<Real> evaluate(const std::array<Real, 3>& p) const;
   /// Only L_i^2 - |q_i|^2 for leg i [m^2].
@@ -81,6 +82,8 @@ public:
   /// Where the radicand is below this [m^2] the criterion does not hold: L_i^2 / psi_max^2, rounded down, or 0.
   const Real& floor(std::size_t leg) const { return legs_[leg].floor; }
 
+  /// A A^T - mu B^2 [m^2], for a factor - mu.
+  SymmetricForms<Real> pencil(const MachineForms<Real>& forms, const Enclosed<Real>& minus_mu) const;
   /// S_min = A A^T - psi_min^2 B^2 [m^2].
   SymmetricForms<Real> lowerMatrix(const MachineForms<Real>& forms) const;
   /// S_max = psi_max^2 B^2 - A A^T [m^2].
@@ -92,14 +95,15 @@ public:
   /// The same at delta = 0 only.
   Enclosed<Real> orientationAtCenter(const MachineForms<Real>& forms) const;
   /// rho_i [m] over the box.
-  AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const CenteredBox<Real>& box) const;
+  template <class Domain>
+  AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const Domain& box) const;
   /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
   Real margin(const std::array<Real, 3>& p) const;
   /// Whether leg i has a finite lower (side = 0) or upper (side = 1) limit that the criterion asks for.
   bool limited(std::size_t leg, int side) const { return legs_[leg].limited[static_cast<std::size_t>(side)]; }
   /// rho_i - lower (side = 0) or upper - rho_i (side = 1) [m].
-  AffineForm<Real> limitMargin(std::size_t leg, int side, const MachineForms<Real>& forms,
-                               const CenteredBox<Real>& box) const;
+  template <class Domain>
+  AffineForm<Real> limitMargin(std::size_t leg, int side, const MachineForms<Real>& forms, const Domain& box) const;
 
 private:
   Real limitMargin(std::size_t leg, const MachineNumbers<Real>& at, const std::array<Real, 3>& p) const;

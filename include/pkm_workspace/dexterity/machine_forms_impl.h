@@ -76,7 +76,8 @@ AffineForm<Real> MachineModel<Real>::radicand(std::size_t leg, const AffineVecto
 }
 
 template <class Real>
-MachineForms<Real> MachineModel<Real>::evaluate(const CenteredBox<Real>& box) const
+template <class Domain>
+MachineForms<Real> MachineModel<Real>::evaluate(const Domain& box) const
 {
   MachineForms<Real> forms;
   for (std::size_t i = 0; i < 3; ++i)
@@ -185,15 +186,21 @@ Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
 }
 
 template <class Real>
-SymmetricForms<Real> MachineModel<Real>::lowerMatrix(const MachineForms<Real>& forms) const
+SymmetricForms<Real> MachineModel<Real>::pencil(const MachineForms<Real>& forms, const Enclosed<Real>& minus_mu) const
 {
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = minus_psi_min_squared_ * forms.radicand[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
+    matrix[i] = minus_mu * forms.radicand[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
+}
+
+template <class Real>
+SymmetricForms<Real> MachineModel<Real>::lowerMatrix(const MachineForms<Real>& forms) const
+{
+  return pencil(forms, minus_psi_min_squared_);
 }
 
 template <class Real>
@@ -221,8 +228,8 @@ Enclosed<Real> MachineModel<Real>::orientationAtCenter(const MachineForms<Real>&
 }
 
 template <class Real>
-AffineForm<Real> MachineModel<Real>::joint(std::size_t leg, const MachineForms<Real>& forms,
-                                           const CenteredBox<Real>& box) const
+template <class Domain>
+AffineForm<Real> MachineModel<Real>::joint(std::size_t leg, const MachineForms<Real>& forms, const Domain& box) const
 {
   const LegModel& model = legs_[leg];
   AffineVector<Real> along;
@@ -231,8 +238,9 @@ AffineForm<Real> MachineModel<Real>::joint(std::size_t leg, const MachineForms<R
 }
 
 template <class Real>
+template <class Domain>
 AffineForm<Real> MachineModel<Real>::limitMargin(std::size_t leg, int side, const MachineForms<Real>& forms,
-                                                 const CenteredBox<Real>& box) const
+                                                 const Domain& box) const
 {
   const AffineForm<Real> rho = joint(leg, forms, box);
   return (side == 0 ? rho : -rho) + legs_[leg].limit[static_cast<std::size_t>(side)];

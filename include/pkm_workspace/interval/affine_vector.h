@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/interval/centered_box.h"
 #include "pkm_workspace/interval/enclosed_constants.h"
+#include "pkm_workspace/interval/skew_box.h"
 
 namespace pkm_workspace
 {
@@ -64,9 +65,37 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
 }
 }  // namespace affine
 
-/// Encloses M (p - c) for p in the box, in place: copies of packs of vectors cost as much as their arithmetic.
+namespace affine
+{
+/// What a box adds to a matrix row: its entry for one delta.
 template <class Real>
-inline void mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const CenteredBox<Real>& box,
+inline Real alongDelta(const std::array<Real, 3>& row, const CenteredBox<Real>& box, std::size_t j)
+{
+  return row[j] * box.half_widths[j];
+}
+template <class Real>
+inline Real alongDelta(const std::array<Real, 3>& row, const SkewBox<Real>& box, std::size_t j)
+{
+  return row[0] * box.edges[0][j] + row[1] * box.edges[1][j] + row[2] * box.edges[2][j];
+}
+
+/// Sum of the magnitudes of a box's edges, component by component.
+template <class Real>
+inline Real sumOfEdges(const CenteredBox<Real>& box)
+{
+  return sumOfMagnitudes(box.half_widths);
+}
+template <class Real>
+inline Real sumOfEdges(const SkewBox<Real>& box)
+{
+  return sumOfMagnitudes(box.edges[0]) + sumOfMagnitudes(box.edges[1]) + sumOfMagnitudes(box.edges[2]);
+}
+}  // namespace affine
+
+/// Encloses M (p - c) for p in the box, in place: copies of packs of vectors cost as much as their arithmetic.
+/// @param box a CenteredBox or a SkewBox
+template <class Real, template <class> class Domain>
+inline void mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const Domain<Real>& box,
                    AffineVector<Real>& image)
 {
   const std::array<Real, 3> x = { box.center[0] - c.value[0], box.center[1] - c.value[1], box.center[2] - c.value[2] };
@@ -74,9 +103,9 @@ inline void mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c,
   {
     image.center[k] = m.value[k][0] * x[0] + m.value[k][1] * x[1] + m.value[k][2] * x[2];
     for (std::size_t j = 0; j < 3; ++j)
-      image.linear[k][j] = m.value[k][j] * box.half_widths[j];
+      image.linear[k][j] = affine::alongDelta(m.value[k], box, j);
   }
-  const Real size = affine::sumOfMagnitudes(x) + affine::sumOfMagnitudes(box.half_widths);
+  const Real size = affine::sumOfMagnitudes(x) + affine::sumOfEdges(box);
   const Real shift = Real(3) * (m.magnitude + m.radius) * (c.radius + box.slack);
   image.radius = affine::widened(m.radius * size + shift, m.magnitude * size, 16);
   image.along = Real(0);

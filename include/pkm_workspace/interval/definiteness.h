@@ -76,6 +76,28 @@ auto isDefiniteAtCenter(const SymmetricForms<Real>& m)
   return (first > Real(0)) & (second > Real(0)) & (third > Real(0));
 }
 
+namespace affine
+{
+/// Encloses the sum of weight_k m_k. @param size a bound on each weight and on the terms that it was rounded from
+template <class Real>
+inline AffineForm<Real> weightedSum(const SymmetricForms<Real>& m, const std::array<Real, 6>& weight,
+                                    const std::array<Real, 6>& size)
+{
+  AffineForm<Real> sum;
+  Real magnitude = Real(0);
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    sum.center = sum.center + weight[k] * m[k].center;
+    for (std::size_t j = 0; j < 3; ++j)
+      sum.gradient[j] = sum.gradient[j] + weight[k] * m[k].gradient[j];
+    sum.radius = sum.radius + size[k] * m[k].radius;
+    magnitude = magnitude + size[k] * m[k].magnitude();
+  }
+  sum.radius = widened(sum.radius, magnitude, 16);
+  return sum;
+}
+}  // namespace affine
+
 /// Encloses v^T M v for a constant vector v.
 template <class Real>
 AffineForm<Real> quadraticForm(const SymmetricForms<Real>& m, const std::array<Real, 3>& v)
@@ -84,17 +106,41 @@ AffineForm<Real> quadraticForm(const SymmetricForms<Real>& m, const std::array<R
   const Real two(2);
   const std::array<Real, 6> weight = { v[0] * v[0],       v[1] * v[1],       v[2] * v[2],
                                        two * v[1] * v[2], two * v[0] * v[2], two * v[0] * v[1] };
-  AffineForm<Real> sum;
-  Real magnitude = Real(0);
+  std::array<Real, 6> size;
   for (std::size_t k = 0; k < 6; ++k)
+    size[k] = abs(weight[k]);
+  return affine::weightedSum(m, weight, size);
+}
+
+/// Encloses u^T M v for constant vectors u, v.
+template <class Real>
+AffineForm<Real> bilinearForm(const SymmetricForms<Real>& m, const std::array<Real, 3>& u, const std::array<Real, 3>& v)
+{
+  using std::abs;
+  std::array<Real, 6> weight;
+  std::array<Real, 6> size;
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    sum.center = sum.center + weight[k] * m[k].center;
-    for (std::size_t j = 0; j < 3; ++j)
-      sum.gradient[j] = sum.gradient[j] + weight[k] * m[k].gradient[j];
-    sum.radius = sum.radius + abs(weight[k]) * m[k].radius;
-    magnitude = magnitude + abs(weight[k]) * m[k].magnitude();
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    weight[k] = u[k] * v[k];
+    size[k] = abs(weight[k]);
+    weight[3 + k] = u[i] * v[j] + u[j] * v[i];
+    size[3 + k] = abs(u[i] * v[j]) + abs(u[j] * v[i]);
   }
-  sum.radius = affine::widened(sum.radius, magnitude, 16);
-  return sum;
+  return affine::weightedSum(m, weight, size);
+}
+
+/// Encloses W^T M W for the constant matrix with columns w_k.
+template <class Real>
+SymmetricForms<Real> congruent(const SymmetricForms<Real>& m, const std::array<std::array<Real, 3>, 3>& w)
+{
+  SymmetricForms<Real> result;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    result[k] = quadraticForm(m, w[k]);
+    result[3 + k] = bilinearForm(m, w[(k + 1) % 3], w[(k + 2) % 3]);
+  }
+  return result;
 }
 }  // namespace pkm_workspace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What the machine does over pieces of paths, side by side. For packs only, see box_kernel_impl.h.
+
+#include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/dexterity/path_piece.h"
+#include "pkm_workspace/interval/pencil_bounds.h"
+
+namespace pkm_workspace
+{
+template <class Real>
+struct PieceRanges
+{
+  std::array<Span<Real>, 3> psi;
+  std::array<Span<Real>, 3> joint;  ///< [m]
+  std::array<Real, 3> speed;        ///< upper bounds of |(J^-1 t)_i|
+};
+
+/// A unit vector along the way, or 0, as an affine vector over the same delta as the points.
+template <class Real>
+inline AffineVector<Real> asVector(const SkewBox<Real>& box)
+{
+  AffineVector<Real> vector;
+  vector.center = box.center;
+  vector.linear = box.edges;
+  vector.radius = box.slack;
+  return vector;
+}
+
+/// Encloses the transmission factors: sigma = psi^2 are the eigenvalues of the pencil A A^T - sigma B^2.
+template <class Real>
+inline std::array<Span<Real>, 3> factorsOver(const MachineModel<Real>& model, const MachineForms<Real>& forms)
+{
+  using std::max;
+  using std::sqrt;
+  const SymmetricForms<Real> gram = model.pencil(forms, Enclosed<Real>(Real(0), Real(0)));
+  SymmetricForms<Real> squares;
+  std::array<Real, 3> inverse;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    squares[i] = forms.radicand[i];
+    inverse[i] = Real(1) / forms.eta[i].center;
+  }
+  eigen::Symmetric<Real> matrix;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    matrix[i] = gram[i].center * inverse[i] * inverse[i];
+    matrix[3 + i] = gram[3 + i].center * inverse[(i + 1) % 3] * inverse[(i + 2) % 3];
+  }
+  eigen::Basis<Real> basis = eigen::basisOf(matrix);
+  for (auto& vector : basis.vector)
+    for (std::size_t i = 0; i < 3; ++i)
+      vector[i] = vector[i] * inverse[i];
+  std::array<Span<Real>, 3> psi = pencilEigenvalues(gram, squares, basis.vector, basis.value);
+  for (Span<Real>& span : psi)
+  {
+    const Real lower = sqrt(max(span.lower, Real(0)));
+    const Real upper = sqrt(span.upper);
+    span = { max(lower - pencil::noise(lower), Real(0)), upper + pencil::noise(upper) };
+  }
+  return psi;
+}
+
+/// A bound on |f / g| over the cube, where g has one sign there: |f / g - r| <= max |f - r g| / min |g|, for any r.
+template <class Real>
+inline Real largestQuotient(const AffineForm<Real>& f, const AffineForm<Real>& g)
+{
+  using std::abs;
+  using std::max;
+  const Real ratio = f.center / g.center;
+  const AffineForm<Real> rest = f + Enclosed<Real>(-ratio, Real(0)) * g;
+  const Real least = max(g.lower(), -g.upper());
+  const Real bound = abs(ratio) + max(rest.upper(), -rest.lower()) / least;
+  return select(least > Real(0), bound + pencil::noise(bound), Real(std::numeric_limits<double>::infinity()));
+}
+
+/// All numbers where a radicand is not proved to be above its floor, and positive, on the whole piece.
+template <int W>
+inline PieceRanges<Pack<W>> rangesOver(const MachineModel<Pack<W>>& model, const MachineForms<Pack<W>>& forms,
+                                       const SkewBox<Pack<W>>& points, const SkewBox<Pack<W>>& tangent)
+{
+  using Real = Pack<W>;
+  const Real infinite(std::numeric_limits<double>::infinity());
+  LaneMask<W> reaches = Real(1.0) > Real(0.0);
+  for (std::size_t i = 0; i < 3; ++i)
+    reaches = reaches & (forms.radicand[i].lower() > max(model.floor(i), Real(0.0)));
+  PieceRanges<Real> ranges;
+  ranges.psi = factorsOver(model, forms);
+  const AffineVector<Real> direction = asVector(tangent);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const AffineForm<Real> rho = model.joint(i, forms, points);
+    ranges.psi[i] = { select(reaches, ranges.psi[i].lower, Real(0.0)), select(reaches, ranges.psi[i].upper, infinite) };
+    ranges.joint[i] = { select(reaches, rho.lower(), -infinite), select(reaches, rho.upper(), infinite) };
+    ranges.speed[i] = select(reaches, largestQuotient(dot(forms.strut[i], direction), forms.eta[i]), infinite);
+  }
+  return ranges;
+}
+
+template <int W>
+inline void scatter(const PieceRanges<Pack<W>>& ranges, PieceMotion* motions, std::size_t count)
+{
+  for (std::size_t lane = 0; lane < W && lane < count; ++lane)
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const int k = static_cast<int>(lane);
+      motions[lane].psi[i] = { ranges.psi[i].lower[k], ranges.psi[i].upper[k] };
+      motions[lane].joint[i] = { ranges.joint[i].lower[k], ranges.joint[i].upper[k] };
+      motions[lane].speed[i] = ranges.speed[i][k];
+    }
+}
+}  // namespace pkm_workspace
