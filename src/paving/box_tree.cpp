@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/box_tree.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -99,6 +100,28 @@ Interval BoxTree::volume(CellState state) const
     if (count(state, level) > 0)
       sum += Interval(static_cast<double>(count(state, level))) * bisection_.volume(level);
   return sum;
+}
+
+BoxTree BoxTree::coarsened(std::int64_t most) const
+{
+  std::size_t last = 0;
+  std::int64_t settled = 0;  // in the levels before
+  for (std::size_t number = 0; number < levels(); ++number)
+  {
+    settled +=
+        count(CellState::INSIDE, number) + count(CellState::BOUNDARY, number) + count(CellState::PENDING, number);
+    if (settled + count(CellState::SPLIT, number) <= most)
+      last = number;
+  }
+  BoxTree coarse(bisection_);
+  for (std::size_t number = 0; number < levels() && number <= last; ++number)
+  {
+    std::vector<CellState> states = levels_[number];
+    if (number == last)
+      std::replace(states.begin(), states.end(), CellState::SPLIT, CellState::BOUNDARY);
+    coarse.addLevel(std::move(states));
+  }
+  return coarse;
 }
 
 std::vector<std::vector<Box>> BoxTree::boxes(CellState state) const

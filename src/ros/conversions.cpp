@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "pkm_workspace/version.h"
+#include "pkm_workspace/ros/criterion_message.h"
 
 namespace pkm_workspace
 {
@@ -47,26 +47,6 @@ void readShape(const RegionRequest& request, RegionQuery& query)
     setShape(request.shape.empty() ? own : request.shape, proportions, ratio, query);
 }
 
-void readSwitches(const RegionRequest& request, RegionQuery& query, Problems& problems)
-{
-  if (request.joint_limits == RegionRequest::ON || request.joint_limits == RegionRequest::OFF)
-    query.criterion.joint_limits = request.joint_limits == RegionRequest::ON;
-  else if (request.joint_limits != RegionRequest::DEFAULT)
-    problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
-                       " must be DEFAULT = 0, ON = 1 or OFF = 2");
-
-  const Box corners{ fromMessage(request.min_corner), fromMessage(request.max_corner) };
-  if (request.use_search_box)
-    query.search_box = corners;
-  else if (corners.lower != Eigen::Vector3d::Zero() || corners.upper != Eigen::Vector3d::Zero())
-    problems.push_back("min_corner and max_corner must be 0 [m] unless use_search_box is true");
-}
-
-double valueOr(double value, double fallback)
-{
-  return value == 0.0 ? fallback : value;
-}
-
 RailRange railRange(const JointRange& range, const std::string& joint)
 {
   RailRange message;
@@ -77,19 +57,6 @@ RailRange railRange(const JointRange& range, const std::string& joint)
   message.stroke_upper_bound = range.stroke.upper();
   message.across_lower_bound = range.across.lower();
   message.across_upper_bound = range.across.upper();
-  return message;
-}
-
-Hypotheses hypothesesOf(const RegionQuery& query, const Machine& machine)
-{
-  Hypotheses message;
-  message.machine = machine.name();
-  message.geometry_hash = machine.geometryHash();
-  message.version = version();
-  message.psi_min = query.criterion.psi_min;
-  message.psi_max = query.criterion.psi_max;
-  message.joint_limits = query.criterion.joint_limits;
-  message.accuracy = query.accuracy;
   return message;
 }
 
@@ -131,7 +98,7 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
 }
 }  // namespace
 
-RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults)
+RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults, double longest)
 {
   RegionQuery query = defaults;
   Problems problems;
@@ -143,36 +110,41 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
   {
     problems.push_back(error.what());
   }
-  readSwitches(request, query, problems);
-  query.criterion.psi_min = valueOr(request.psi_min, defaults.criterion.psi_min);
-  query.criterion.psi_max = valueOr(request.psi_max, defaults.criterion.psi_max);
+  if (const auto corners =
+          readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems))
+    query.search_box = corners;
+  query.criterion = fromMessage(request.criterion, defaults.criterion, problems);
   query.accuracy = valueOr(request.accuracy, defaults.accuracy);
   query.budget.time_limit = valueOr(request.time_limit, defaults.budget.time_limit);
   query.validate(problems);
-  if (query.budget.time_limit > defaults.budget.time_limit)
-  {
-    std::ostringstream text;
-    text << "time_limit = " << query.budget.time_limit << " s must be at most the node's ~time_limit, "
-         << defaults.budget.time_limit << " s";
-    problems.push_back(text.str());
-  }
+  requireTimeLimit(query.budget.time_limit, longest, problems);
   throwProblems(problems);
   return query;
 }
 
-Region toMessage(const Answer& answer, const Machine& machine, const std_msgs::Header& header)
+std_msgs::Header headerOf(const FramedMachine& in, const ros::Time& stamp)
+{
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = in.frame;
+  return header;
+}
+
+Region toMessage(const Answer& answer, const ros::Time& stamp)
 {
   const LargestRegion& region = answer.region;
+  const RegionQuery& query = answer.question.query;
+  const Machine& machine = *answer.question.in.machine;
   Region message;
-  message.header = header;
-  message.hypotheses = hypothesesOf(answer.query, machine);
+  message.header = headerOf(answer.question.in, stamp);
+  message.hypotheses = hypothesesOf(machine, query.criterion, query.accuracy);
   message.status = constantOf(region.status);
   describeRegion(region, *region.shape, message);
-  if (answer.query.search_box)
+  if (query.search_box)
   {
     message.use_search_box = true;
-    message.min_corner = toMessage(answer.query.search_box->lower);
-    message.max_corner = toMessage(answer.query.search_box->upper);
+    message.min_corner = toMessage(query.search_box->lower);
+    message.max_corner = toMessage(query.search_box->upper);
   }
   for (int i = 0; region.size > 0.0 && i < 3; ++i)
     message.joint_ranges.push_back(railRange(region.joint_ranges[static_cast<std::size_t>(i)], machine.leg(i).joint));
@@ -192,6 +164,14 @@ JointRanges jointRangesOf(const Region& region)
   message.center = region.center;
   message.rails = region.joint_ranges;
   return message;
+}
+
+std::string describe(const RegionQuery& query)
+{
+  std::ostringstream text;
+  text << "largest " << query.shape->name() << " with " << describe(query.criterion) << ", accuracy " << query.accuracy
+       << " m, within " << query.budget.time_limit << " s";
+  return text.str();
 }
 
 std::string summary(const Answer& answer)

@@ -2,13 +2,12 @@
 #include "pkm_workspace/ros/markers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "scene.h"
 
 namespace pkm_workspace
 {
@@ -16,67 +15,9 @@ namespace
 {
 using visualization_msgs::Marker;
 
-struct Color
-{
-  float r, g, b, a;
-};
 constexpr Color REGION_FACES = { 0.15F, 0.50F, 0.95F, 0.35F };
 constexpr Color REGION_EDGES = { 0.05F, 0.25F, 0.60F, 1.0F };
-constexpr Color INSIDE = { 0.30F, 0.85F, 0.45F, 0.10F };
-constexpr Color BOUNDARY = { 0.95F, 0.75F, 0.10F, 0.04F };
 constexpr Color JOINT_RANGE = { 0.95F, 0.45F, 0.05F, 1.0F };
-constexpr Color TEXT = { 0.1F, 0.1F, 0.1F, 1.0F };
-
-/// Collects markers that share a header; ids count up in each namespace.
-class Scene
-{
-public:
-  Scene(const std_msgs::Header& header, double unit) : unit_(unit)
-  {
-    Marker clear;
-    clear.header = header;
-    // the newest transform there is: markers are latched, and may be older than all that tf remembers
-    clear.header.stamp = ros::Time();
-    clear.action = Marker::DELETEALL;
-    clear.pose.orientation.w = 1.0;
-    array_.markers.push_back(clear);
-  }
-
-  /// A thousandth of the machine's size [m]: what widths of lines and letters are multiples of.
-  double unit() const { return unit_; }
-
-  Marker& add(const std::string& ns, int type, const Color& color)
-  {
-    Marker marker = array_.markers.front();
-    marker.action = Marker::ADD;
-    marker.ns = ns;
-    marker.id = ids_[ns]++;
-    marker.type = type;
-    marker.frame_locked = true;
-    marker.color.r = color.r;
-    marker.color.g = color.g;
-    marker.color.b = color.b;
-    marker.color.a = color.a;
-    marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
-    array_.markers.push_back(marker);
-    return array_.markers.back();
-  }
-
-  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text)
-  {
-    Marker& marker = add(ns, Marker::TEXT_VIEW_FACING, TEXT);
-    marker.pose.position = toMessage(place);
-    marker.scale.z = 70.0 * unit_;
-    marker.text = text;
-  }
-
-  const visualization_msgs::MarkerArray& array() const { return array_; }
-
-private:
-  double unit_;
-  std::map<std::string, int> ids_;
-  visualization_msgs::MarkerArray array_;
-};
 
 Eigen::Vector3d sidesOf(const Region& region)
 {
@@ -115,18 +56,6 @@ void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene
       if ((bits & axis) == 0U)
         for (const unsigned end : { bits, bits | axis })
           edges.points.push_back(toMessage(corner(center, sides, end)));
-}
-
-/// A few digits of a bound, rounded to the side on which it holds, without zeros at the end.
-std::string digits(double value, std::string (*rounded)(double, int))
-{
-  constexpr int FEWER = 4;  // than the nine significant ones of decimalsFor()
-  std::string text = rounded(value, std::max(0, decimalsFor(value, value) - FEWER));
-  if (text.find('.') != std::string::npos)
-    text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.')
-    text.pop_back();
-  return text;
 }
 
 /// A point at an angle on a circle of that radius across one axis.
@@ -222,27 +151,6 @@ void addRegion(const Region& region, Scene& scene)
   region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
 }
 
-/// One list for each size, because a list has one scale. Flat boxes (their set does not change along the rails, and the
-/// region lies in their plane) are drawn with a little thickness, just below it.
-void addBoxes(const std::string& ns, const Color& color, const BoxTree& tree, CellState state, Scene& scene)
-{
-  const Box& whole = tree.bisection().root();
-  const Eigen::Vector3d thickness = scene.unit() * ((whole.upper - whole.lower).array() == 0.0).cast<double>().matrix();
-  const Color layer = { color.r, color.g, color.b, thickness.isZero() ? color.a : 5.0F * color.a };
-  for (const std::vector<Box>& boxes : tree.boxes(state))
-  {
-    if (boxes.empty())
-      continue;
-    Marker& list = scene.add(ns, Marker::CUBE_LIST, layer);
-    const Eigen::Vector3d scale = boxes.front().upper - boxes.front().lower + thickness;
-    list.scale.x = scale.x();
-    list.scale.y = scale.y();
-    list.scale.z = scale.z();
-    for (const Box& box : boxes)
-      list.points.push_back(toMessage(box.center() - 2.0 * thickness));
-  }
-}
-
 Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
 {
   return mid(leg.origin) + rho * mid(leg.axis);
@@ -275,11 +183,16 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& m
   if (region.size > 0.0)
     addRegion(region, scene);
   if (paving)
-    addBoxes("paving_inside", INSIDE, paving->tree, CellState::INSIDE, scene);
-  if (paving && show_boundary)
-    addBoxes("paving_boundary", BOUNDARY, paving->tree, CellState::BOUNDARY, scene);
+    addPaving(paving->tree, "paving_inside", show_boundary ? "paving_boundary" : "", scene);
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
     addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), fromMessage(region.center), scene);
+  return scene.array();
+}
+
+visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& machine, const std_msgs::Header& header)
+{
+  Scene scene(header, machine.scale() / 1000.0);
+  addPaving(paving.tree, "inside", "boundary", scene);
   return scene.array();
 }
 }  // namespace pkm_workspace

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/paving/paving.h"
 
 namespace pkm_workspace
 {
@@ -91,6 +91,25 @@ bool read(const XmlRpcValue& value, std::optional<Box>& target)
   return true;
 }
 
+bool readSet(const XmlRpcValue& value, Criterion::Set& target)
+{
+  std::string name;
+  if (!read(value, name) || (name != "dextrous" && name != "reachable"))
+    return false;
+  target = name == "dextrous" ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
+  return true;
+}
+
+/// XML-RPC has integers of 32 bits.
+bool readMemory(const XmlRpcValue& value, std::int64_t& target)
+{
+  int bytes = 0;
+  if (!read(value, bytes) || bytes < PavingQuery::LEAST_MEMORY)
+    return false;
+  target = bytes;
+  return true;
+}
+
 struct Entry
 {
   std::string expected;
@@ -119,8 +138,14 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "shape", entry(names.shape, "a text: cube, square, box, sphere, disc or cylinder") },
     { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
     { "ratio", entry(names.ratio, "two numbers [least, largest] > 0, without unit") },
+    { "set",
+      { "a text: dextrous or reachable",
+        [&query](const XmlRpcValue& value) { return readSet(value, query.criterion.set); } } },
     { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
     { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },
+    { "force_min", entry(query.criterion.force_min, "a number > 0, or 0 for none, without unit") },
+    { "force_max", entry(query.criterion.force_max, "a number >= force_min, or 0 for none, without unit") },
+    { "kappa_max", entry(query.criterion.kappa_max, "a number >= 1, or 0 for none, without unit") },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
     { "accuracy", entry(query.accuracy, "a number > 0 [m]") },
     { "search_box", entry(query.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
@@ -131,6 +156,9 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
+    { "max_memory",
+      { "a whole number of bytes, 4096 to 2147483647",
+        [&parameters](const XmlRpcValue& value) { return readMemory(value, parameters.max_memory); } } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };
 }
@@ -182,7 +210,7 @@ void Parameters::validate(Problems& problems) const
     problems.push_back(text.str());
   };
   // the query allows more: 0 for no limit
-  if (query.budget.time_limit == 0.0 || query.budget.time_limit > 86400.0)
+  if (query.budget.time_limit == 0.0 || query.budget.time_limit > LONGEST)
     complain("time_limit", query.budget.time_limit, "s must be > 0 and at most 86400 s");
   if (!(paving_resolution >= 0.0 && paving_resolution <= 1e100))
     complain("paving_resolution", paving_resolution, "m must be >= 0 and finite");

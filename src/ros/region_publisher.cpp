@@ -8,6 +8,7 @@
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"
+#include "pkm_workspace/ros/paving_message.h"
 
 namespace pkm_workspace
 {
@@ -15,39 +16,32 @@ namespace
 {
 constexpr double SECONDS = 5.0;          // a picture is not worth more
 constexpr std::int64_t BOXES = 2000000;  // nor can rviz draw much more
-
-bool isSame(const PavingQuery& a, const PavingQuery& b)
-{
-  return a.criterion == b.criterion && a.box->lower == b.box->lower && a.box->upper == b.box->upper;
-}
 }  // namespace
 
-RegionPublisher::RegionPublisher(ros::NodeHandle& node, ros::NodeHandle& private_node, const Parameters& parameters,
-                                 const UrdfMachine& urdf, const std::atomic<bool>& stop)
-  : parameters_(parameters)
-  , urdf_(urdf)
-  , stop_(stop)
-  , region_(private_node.advertise<Region>("region", 1, true))
-  , joint_ranges_(private_node.advertise<JointRanges>("joint_ranges", 1, true))
-  , markers_(private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
+RegionPublisher::RegionPublisher(NodeContext& context)
+  : context_(context)
+  , stop_(context.painter.makeStopFlag())
+  , region_(context.private_node.advertise<Region>("region", 1, true))
+  , joint_ranges_(context.private_node.advertise<JointRanges>("joint_ranges", 1, true))
+  , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
 {
-  if (parameters.publish_joint_states)
-    joint_states_.emplace(node, urdf);
+  if (context.parameters.publish_joint_states)
+    joint_states_.emplace(context.node, context.urdf);
 }
 
-void RegionPublisher::publish(const Region& region)
+void RegionPublisher::publish(const RegionQuestion& question, const Region& region)
 {
   region_.publish(region);
   joint_ranges_.publish(jointRangesOf(region));
   if (joint_states_ && region.size > 0.0)
-    moveMachine(region);
+    moveMachine(question, region);
 }
 
-void RegionPublisher::moveMachine(const Region& region)
+void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& region)
 {
   try
   {
-    joint_states_->moveTo(fromMessage(region.center));
+    joint_states_->moveTo(question.in.to_root * fromMessage(region.center));
   }
   catch (const std::invalid_argument& error)
   {
@@ -55,44 +49,45 @@ void RegionPublisher::moveMachine(const Region& region)
   }
 }
 
-void RegionPublisher::publishMarkers(const RegionQuery& query, const Region& region)
+void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region)
 {
-  markers_.publish(markersOf(region, urdf_.machine, pavingFor(query), parameters_.show_boundary));
+  markers_.publish(markersOf(region, *question.in.machine, pavingFor(question), context_.parameters.show_boundary));
 }
 
-PavingQuery RegionPublisher::pavingQuery(const RegionQuery& query) const
+PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const
 {
-  RegionQuery everywhere = query;
+  const Machine& machine = *question.in.machine;
+  RegionQuery everywhere = question.query;
   everywhere.search_box.reset();
   PavingQuery wanted;
-  wanted.criterion = query.criterion;
-  wanted.box = centerSpace(urdf_.machine, everywhere).centers;
-  const bool flat = wanted.box->maxWidth() > 0.0 && ((wanted.box->upper - wanted.box->lower).array() == 0.0).any();
-  wanted.resolution = parameters_.paving_resolution;
+  wanted.criterion = question.query.criterion;
+  wanted.box = centerSpace(machine, everywhere).centers;
+  wanted.resolution = context_.parameters.paving_resolution;
   if (wanted.resolution == 0.0)
-    wanted.resolution = urdf_.machine.scale() / (flat ? 40.0 : 10.0);
+    wanted.resolution = defaultResolution(machine, *wanted.box);
   wanted.budget.time_limit = SECONDS;
   wanted.budget.max_boxes = BOXES;
-  wanted.budget.threads = query.budget.threads;
-  wanted.budget.stop = &stop_;
+  wanted.budget.threads = question.query.budget.threads;
+  wanted.budget.stop = stop_.get();
   return wanted;
 }
 
-const Paving* RegionPublisher::pavingFor(const RegionQuery& query)
+const Paving* RegionPublisher::pavingFor(const RegionQuestion& question)
 {
-  if (!parameters_.show_paving)
+  if (!context_.parameters.show_paving)
     return nullptr;
   try
   {
-    const PavingQuery wanted = pavingQuery(query);
-    if (!paved_ || !isSame(*paved_, wanted))
-    {
-      paving_ = pave(urdf_.machine, wanted);
-      paved_ = wanted;
-      ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
-                     static_cast<long>(paving_->tree.count(CellState::INSIDE)),
-                     static_cast<long>(paving_->boxes - paving_->tree.count(CellState::INSIDE)), paving_->seconds);
-    }
+    const PavingQuery wanted = pavingQuery(question);
+    Problems differences;
+    if (paving_)
+      validateEarlier(*question.in.machine, wanted, *paving_, differences);
+    if (paving_ && differences.empty())
+      return &*paving_;
+    paving_ = pave(*question.in.machine, wanted);
+    ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
+                   static_cast<long>(paving_->tree.count(CellState::INSIDE)),
+                   static_cast<long>(paving_->boxes - paving_->tree.count(CellState::INSIDE)), paving_->seconds);
     return &*paving_;
   }
   catch (const std::invalid_argument& error)

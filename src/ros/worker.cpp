@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <exception>
 
@@ -37,9 +38,25 @@ void Worker::post(const std::function<void()>& job)
   queue_.addCallback(boost::make_shared<Job>(job));
 }
 
+StopFlag Worker::makeStopFlag()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  flags_.erase(std::remove_if(flags_.begin(), flags_.end(), [](const auto& flag) { return flag.expired(); }),
+               flags_.end());
+  const auto flag = std::make_shared<std::atomic<bool>>(stopped_);
+  flags_.push_back(flag);
+  return flag;
+}
+
 void Worker::stop()
 {
-  stopped_ = true;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopped_ = true;
+    for (const auto& flag : flags_)
+      if (const StopFlag alive = flag.lock())
+        *alive = true;
+  }
   queue_.disable();
   queue_.clear();
   spinner_.stop();

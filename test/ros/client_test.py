@@ -7,7 +7,7 @@ import unittest
 
 import rospy
 import rostest
-from pkm_workspace.msg import ErrorCode, JointRanges, Region, RegionRequest
+from pkm_workspace.msg import CriterionRequest, ErrorCode, JointRanges, Region, RegionRequest
 from pkm_workspace.srv import ComputeLargestRegion, GetRegion
 
 NODE = "/pkm_workspace_node"
@@ -43,7 +43,8 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(computed.joint_ranges, ranges.rails)
 
     def test_is_told_what_is_wrong(self):
-        response = service("compute_largest_region", ComputeLargestRegion)(RegionRequest(psi_min=-1.0))
+        request = RegionRequest(criterion=CriterionRequest(psi_min=-1.0))
+        response = service("compute_largest_region", ComputeLargestRegion)(request)
         self.assertEqual(ErrorCode.INVALID_REQUEST, response.error_code)
         self.assertRegex(response.message, r"psi_min = -1 .*must be positive")
 

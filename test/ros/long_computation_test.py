@@ -10,7 +10,7 @@ import unittest
 import rospy
 import rostest
 from node_process import NAME, PATIENCE, NodeProcess, urdf
-from pkm_workspace.msg import ErrorCode, Region, RegionRequest
+from pkm_workspace.msg import CriterionRequest, ErrorCode, Region, RegionRequest
 from pkm_workspace.srv import ComputeLargestRegion, GetRegion
 
 # Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
@@ -32,7 +32,7 @@ def wait_until(condition):
 def ask_for_the_endless():
     compute = service("compute_largest_region", ComputeLargestRegion)
     with contextlib.suppress(rospy.ServiceException):  # the node may end before it has answered
-        compute(RegionRequest(accuracy=1e-14, joint_limits=RegionRequest.ON))
+        compute(RegionRequest(accuracy=1e-14, criterion=CriterionRequest(joint_limits=CriterionRequest.ON)))
 
 
 class LongComputationTest(unittest.TestCase):

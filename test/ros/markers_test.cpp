@@ -168,6 +168,38 @@ TEST(Markers, showTheBoundaryOnlyWhenAsked)
   EXPECT_EQ(1U, inNamespace(draw(regionWithSides(1.0, 1.0, 1.0), &paving, true), "paving_boundary").size());
 }
 
+TEST(Markers, drawAPavingByItselfByVerdict)
+{
+  const Paving paving = smallPaving();
+  std_msgs::Header header;
+  header.frame_id = "base_link";
+  const auto array = markersOf(paving, orthoglide(), header);
+  EXPECT_EQ(Marker::DELETEALL, array.markers.front().action);
+  EXPECT_EQ(2U, inNamespace(array, "inside").size());
+  const auto boundary = inNamespace(array, "boundary");
+  ASSERT_EQ(1U, boundary.size());
+  EXPECT_EQ(1U, boundary[0].points.size());
+  EXPECT_NE(inNamespace(array, "inside")[0].color, boundary[0].color);
+}
+
+TEST(Markers, drawAncestorsOfBoxesThatAreTooMany)
+{
+  PavingQuery query;
+  query.resolution = 0.01;
+  const Paving paving = pave(orthoglide(), query);
+  ASSERT_GT(paving.tree.count(CellState::INSIDE) + paving.tree.count(CellState::BOUNDARY), 20000);
+  std::size_t boxes = 0;
+  double volume = 0.0;
+  for (const Marker& marker : markersOf(paving, orthoglide(), std_msgs::Header()).markers)
+  {
+    boxes += marker.points.size();
+    volume += static_cast<double>(marker.points.size()) * marker.scale.x * marker.scale.y * marker.scale.z;
+  }
+  EXPECT_LE(boxes, 20000U);
+  EXPECT_GT(boxes, 2000U);
+  EXPECT_GE(volume, paving.volumeUpper()) << "some boxes were cut";
+}
+
 TEST(Markers, giveFlatBoxesAThickness)
 {
   Paving paving;

@@ -49,13 +49,30 @@ const BadRequest BAD_REQUESTS[] = {
       q.proportions.y = NAN_VALUE;
     },
     "proportions \\( *0 +nan +0\\).*must be" },
-  { "negative psi_min", [](auto& q) { q.psi_min = -0.5; }, "psi_min = -0.5 .*must be positive" },
-  { "NaN psi_min", [](auto& q) { q.psi_min = NAN_VALUE; }, "psi_min = nan .*must be positive" },
-  { "psi_min above psi_max", [](auto& q) { q.psi_min = 3.0; }, "psi_max = 2 .*at least psi_min" },
-  { "infinite psi_max", [](auto& q) { q.psi_max = INF; }, "psi_max = inf .*must be positive and finite" },
+  { "negative psi_min", [](auto& q) { q.criterion.psi_min = -0.5; }, "psi_min = -0.5 .*must be positive" },
+  { "NaN psi_min", [](auto& q) { q.criterion.psi_min = NAN_VALUE; }, "psi_min = nan .*must be positive" },
+  { "psi_min above psi_max", [](auto& q) { q.criterion.psi_min = 3.0; }, "psi_max = 2 .*at least psi_min" },
+  { "infinite psi_max", [](auto& q) { q.criterion.psi_max = INF; }, "psi_max = inf .*must be positive and finite" },
   { "negative accuracy", [](auto& q) { q.accuracy = -1e-3; }, "accuracy = -0.001.* m.*must be positive" },
   { "NaN accuracy", [](auto& q) { q.accuracy = NAN_VALUE; }, "accuracy = nan.*must be positive" },
-  { "joint limits neither on nor off", [](auto& q) { q.joint_limits = 3; },
+  { "set of another number", [](auto& q) { q.criterion.set = 3; },
+    "set = 3 must be DEFAULT = 0, DEXTROUS = 1 or REACHABLE = 2" },
+  { "psi_max of a reachable set",
+    [](auto& q) {
+      q.criterion.set = CriterionRequest::REACHABLE;
+      q.criterion.psi_max = 2.0;
+    },
+    "psi_min and psi_max must be 0 unless the set is DEXTROUS" },
+  { "negative force_min", [](auto& q) { q.criterion.force_min = -0.5; }, "force_min = -0.5 .*must be" },
+  { "NaN force_max", [](auto& q) { q.criterion.force_max = NAN_VALUE; }, "force_max = nan .*must be" },
+  { "force_min above force_max",
+    [](auto& q) {
+      q.criterion.force_min = 2.0;
+      q.criterion.force_max = 1.0;
+    },
+    "force_max = 1 .*at least force_min" },
+  { "kappa_max below 1", [](auto& q) { q.criterion.kappa_max = 0.5; }, "kappa_max = 0.5 .*must be" },
+  { "joint limits neither on nor off", [](auto& q) { q.criterion.joint_limits = 3; },
     "joint_limits = 3 must be DEFAULT = 0, ON = 1 or OFF = 2" },
   { "time limit above the ceiling", [](auto& q) { q.time_limit = 61.0; }, "time_limit = 61 s must be at most.* 60 s" },
   { "negative time limit", [](auto& q) { q.time_limit = -1.0; }, "time.limit = -1 s must be positive" },
@@ -96,9 +113,9 @@ TEST(Refusal, namesAllFieldsAtOnce)
 {
   RegionRequest query;
   query.shape = "blob";
-  query.psi_min = -1.0;
+  query.criterion.psi_min = -1.0;
   query.accuracy = INF;
-  query.joint_limits = 9;
+  query.criterion.joint_limits = 9;
   const std::string message = compute(query).message;
   for (const char* const field : { "shape", "psi_min", "accuracy", "joint_limits" })
     EXPECT_NE(std::string::npos, message.find(field)) << message;
@@ -109,7 +126,7 @@ TEST(Refusal, leavesTheLastAnswerAlone)
   const auto computed = compute(RegionRequest());
   ASSERT_EQ(ErrorCode::SUCCESS, computed.error_code) << computed.message;
   RegionRequest bad;
-  bad.psi_min = -1.0;
+  bad.criterion.psi_min = -1.0;
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, compute(bad).error_code);
   EXPECT_EQ(computed.region, call<GetRegion>("get_region", GetRegion::Request()).region);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <limits>
 
 #include "node_client.h"
 
@@ -10,6 +11,7 @@ namespace test
 {
 namespace
 {
+constexpr double INF = std::numeric_limits<double>::infinity();
 const double LARGEST_EDGE = 1.0 / std::sqrt(6.0) + 1.0 / (3.0 * std::sqrt(2.0));
 const double CENTER = 0.086273015;
 const double STROKE = 1.0 + 1.0 / (3.0 * std::sqrt(2.0)) - 1.0 / std::sqrt(6.0);
@@ -99,12 +101,46 @@ TEST(ComputeLargestRegion, enclosesJointRanges)
 TEST(ComputeLargestRegion, takesTheBoundsOfTheRequest)
 {
   RegionRequest query;
-  query.psi_min = 1.0 / 3.0;
-  query.psi_max = 3.0;
+  query.criterion.psi_min = 1.0 / 3.0;
+  query.criterion.psi_max = 3.0;
   const auto response = compute(query);
   expectProven(response, 1e-3);
   expectBracket(response.region, 0.786583, 1e-5);
   EXPECT_EQ(3.0, response.region.hypotheses.psi_max);
+}
+
+TEST(ComputeLargestRegion, saysEveryBoundInEffect)
+{
+  RegionRequest query;
+  query.criterion.force_min = 0.6;
+  query.criterion.force_max = 1.5;
+  query.criterion.kappa_max = 2.0;
+  query.criterion.joint_limits = CriterionRequest::ON;
+  const auto bounded = compute(query);
+  expectProven(bounded, 1e-3);
+  EXPECT_EQ(Hypotheses::DEXTROUS, bounded.region.hypotheses.set);
+  EXPECT_EQ(Hypotheses::OWN, bounded.region.hypotheses.aspect);
+  EXPECT_EQ(0.6, bounded.region.hypotheses.force_min);
+  EXPECT_EQ(1.5, bounded.region.hypotheses.force_max);
+  EXPECT_EQ(2.0, bounded.region.hypotheses.kappa_max);
+  EXPECT_TRUE(bounded.region.hypotheses.joint_limits);
+  EXPECT_LT(bounded.region.size_upper_bound, compute(RegionRequest()).region.size) << "the bounds had no effect";
+}
+
+TEST(ComputeLargestRegion, takesForceFactorsInPlaceOfVelocityFactors)
+{
+  RegionRequest query;
+  query.criterion.set = CriterionRequest::REACHABLE;
+  query.criterion.force_min = 0.5;
+  query.criterion.force_max = 2.0;
+  query.criterion.kappa_max = INF;
+  const auto response = compute(query);
+  expectProven(response, 1e-3);
+  expectBracket(response.region, LARGEST_EDGE, 0.0);
+  EXPECT_EQ(Hypotheses::REACHABLE, response.region.hypotheses.set);
+  EXPECT_EQ(0.0, response.region.hypotheses.psi_max);
+  EXPECT_EQ(2.0, response.region.hypotheses.force_max);
+  EXPECT_EQ(0.0, response.region.hypotheses.kappa_max);
 }
 
 TEST(ComputeLargestRegion, findsSquaresAndBoxes)
@@ -161,8 +197,8 @@ TEST(ComputeLargestRegion, keepsTheCenterInTheSearchBox)
 TEST(ComputeLargestRegion, answersThatThereIsNone)
 {
   RegionRequest query;
-  query.psi_min = 1.0;
-  query.psi_max = 1.0;
+  query.criterion.psi_min = 1.0;
+  query.criterion.psi_max = 1.0;
   const auto response = compute(query);
   EXPECT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
   EXPECT_EQ(Region::NONE, response.region.status);

@@ -80,6 +80,9 @@ public:
   std::int64_t count(CellState state) const;
   /// Encloses the volume of these, in the root's own dimension [m^3].
   Interval volume(CellState state) const;
+  /// The same boxes as coarsely as it takes for no more than @p most that are not OUTSIDE (or one): boxes below a level
+  /// are left out, and those of that level that hold them are BOUNDARY.
+  BoxTree coarsened(std::int64_t most) const;
   /// The boxes of that state, for each level.
   std::vector<std::vector<Box>> boxes(CellState state) const;
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/ros/frames.h"
 
 namespace pkm_workspace
 {
@@ -18,23 +19,36 @@ namespace pkm_workspace
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
 
-/// @param defaults what fields without a value stand for; its time limit is the most that a request may ask for
+/// @param defaults what fields without a value stand for
+/// @param longest the most that may be asked for as a time limit [s]; said to be the node's ~time_limit
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
-RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults);
+RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults, double longest);
+
+/// What is asked, and of which machine.
+struct RegionQuestion
+{
+  RegionQuery query;
+  FramedMachine in;
+};
 
 /// A computation that has ended: what was asked, and the answer.
 struct Answer
 {
-  RegionQuery query;
+  RegionQuestion question;
   LargestRegion region;
 };
 
-/// @param header of the message: when and in which frame
-Region toMessage(const Answer& answer, const Machine& machine, const std_msgs::Header& header);
+/// @param stamp of the message
+Region toMessage(const Answer& answer, const ros::Time& stamp);
+
+/// The header of what is known in the machine's frame.
+std_msgs::Header headerOf(const FramedMachine& in, const ros::Time& stamp);
 
 /// The part of a region's message that is published for those who choose drives.
 JointRanges jointRangesOf(const Region& region);
 
+/// One line for people: what is asked for.
+std::string describe(const RegionQuery& query);
 /// One line for people: size and its bound with their unit, center, effort.
 std::string summary(const Answer& answer);
 }  // namespace pkm_workspace

@@ -17,4 +17,7 @@ namespace pkm_workspace
 /// @param show_boundary whether its undecided boxes are shown too
 visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& machine, const Paving* paving,
                                           bool show_boundary);
+
+/// What rviz shows of a paving by itself, in namespaces "inside" and "boundary" (all that is undecided).
+visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& machine, const std_msgs::Header& header);
 }  // namespace pkm_workspace

@@ -10,6 +10,9 @@
 
 namespace pkm_workspace
 {
+/// The most that a time limit may be where a computation can be cancelled [s].
+constexpr double LONGEST = 86400.0;
+
 /// What the node is configured with: its private parameters. Values with defaults; validate() tells what is wrong.
 struct Parameters
 {
@@ -23,6 +26,8 @@ struct Parameters
   bool show_paving = true;           ///< whether the markers show the set that the region lies in
   bool show_boundary = false;        ///< whether they show its undecided boxes too
   double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: L / 10, in a plane L / 40
+  /// ~max_memory: the most that the boxes of a paving may take [bytes].
+  std::int64_t max_memory = std::int64_t(1) << 30;
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.
   void validate(Problems& problems) const;

@@ -4,12 +4,12 @@
 #include <pkm_workspace/Region.h>
 #include <ros/node_handle.h>
 
-#include <atomic>
 #include <optional>
 
 #include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/joint_state_publisher.h"
-#include "pkm_workspace/ros/parameters.h"
+#include "pkm_workspace/ros/node_context.h"
 
 namespace pkm_workspace
 {
@@ -18,29 +18,26 @@ namespace pkm_workspace
 class RegionPublisher
 {
 public:
-  /// Advertises. The references have to outlive this object. @param stop ends pavings
-  RegionPublisher(ros::NodeHandle& node, ros::NodeHandle& private_node, const Parameters& parameters,
-                  const UrdfMachine& urdf, const std::atomic<bool>& stop);
+  /// Advertises. @param context has to outlive this object
+  explicit RegionPublisher(NodeContext& context);
 
   /// Publishes the region and its joint ranges, and moves the machine there.
-  void publish(const Region& region);
+  void publish(const RegionQuestion& question, const Region& region);
   /// Publishes the markers, after a paving (up to seconds) unless it is the last one over again.
-  void publishMarkers(const RegionQuery& query, const Region& region);
+  void publishMarkers(const RegionQuestion& question, const Region& region);
 
 private:
-  void moveMachine(const Region& region);
-  PavingQuery pavingQuery(const RegionQuery& query) const;
+  void moveMachine(const RegionQuestion& question, const Region& region);
+  PavingQuery pavingQuery(const RegionQuestion& question) const;
   /// The set that the region lies in; nothing where it is not to be shown or cannot be bounded.
-  const Paving* pavingFor(const RegionQuery& query);
+  const Paving* pavingFor(const RegionQuestion& question);
 
-  const Parameters& parameters_;
-  const UrdfMachine& urdf_;
-  const std::atomic<bool>& stop_;
+  NodeContext& context_;
+  const StopFlag stop_;
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;
   std::optional<JointStatePublisher> joint_states_;
-  std::optional<PavingQuery> paved_;  ///< what paving_ answers
-  std::optional<Paving> paving_;
+  std::optional<Paving> paving_;  ///< the last one
 };
 }  // namespace pkm_workspace

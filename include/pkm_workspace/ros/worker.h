@@ -6,9 +6,15 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace pkm_workspace
 {
+/// Every computation looks at its flag, and ends with the best proven so far soon after it is set.
+using StopFlag = std::shared_ptr<std::atomic<bool>>;
+
 /// One thread that does computations in the order in which they come: callbacks of its queue, and jobs of its owner.
 /// Whatever answers at once belongs on another queue, and never waits for this one.
 class Worker
@@ -17,13 +23,13 @@ public:
   Worker() : spinner_(1, &queue_) {}
   ~Worker() { stop(); }
 
-  /// For services and actions whose callbacks compute.
+  /// For services whose callbacks compute.
   ros::CallbackQueue& queue() { return queue_; }
-  /// Every computation looks at it and ends soon after it is set.
-  const std::atomic<bool>& stopFlag() const { return stopped_; }
+  /// A flag for one computation; stop() sets it. Thread-safe.
+  StopFlag makeStopFlag();
 
   void start() { spinner_.start(); }
-  /// Adds a job; an exception that leaves it is logged.
+  /// Adds a job; an exception that leaves it is logged. Thread-safe.
   void post(const std::function<void()>& job);
   /// Ends the computation that is running, forgets the ones that wait, and joins the thread.
   void stop();
@@ -31,6 +37,8 @@ public:
 private:
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
-  std::atomic<bool> stopped_{ false };
+  std::mutex mutex_;
+  bool stopped_ = false;
+  std::vector<std::weak_ptr<std::atomic<bool>>> flags_;
 };
 }  // namespace pkm_workspace

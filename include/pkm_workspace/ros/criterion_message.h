@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <pkm_workspace/CriterionRequest.h>
+#include <pkm_workspace/Hypotheses.h>
+
+#include <optional>
+#include <string>
+
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// A value of a request; 0 stands for the default.
+inline double valueOr(double value, double fallback)
+{
+  return value == 0.0 ? fallback : value;
+}
+
+/// Reads a criterion. Leaves it to Criterion::validate() to say what is out of range.
+/// @param defaults what fields without a value stand for
+/// @param problems gets one sentence for each value that is unknown or without effect
+Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems);
+
+/// The box between two corners, or none. @param flag name of the field that @p given comes from
+/// @param problems gets one sentence for corners without effect
+std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
+                               const geometry_msgs::Point& max_corner, const std::string& flag, Problems& problems);
+
+/// Appends one sentence for a time limit [s] above @p longest, said to be the node's ~time_limit.
+void requireTimeLimit(double time_limit, double longest, Problems& problems);
+
+/// What a result holds for. @param accuracy as Hypotheses.msg has it
+Hypotheses hypothesesOf(const Machine& machine, const Criterion& criterion, double accuracy);
+}  // namespace pkm_workspace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <mutex>
+#include <string>
+
+#include "pkm_workspace/ros/frames.h"
+#include "pkm_workspace/ros/health.h"
+#include "pkm_workspace/ros/parameters.h"
+#include "pkm_workspace/ros/worker.h"
+
+namespace pkm_workspace
+{
+/// What all parts of the node share.
+///
+/// Three threads: the one of private_node answers what can be answered at once, the worker computes, the painter makes
+/// markers, so that no request waits for a picture.
+class NodeContext
+{
+public:
+  /// Reads and validates everything.
+  /// @throws std::invalid_argument for bad parameters or a bad URDF, std::runtime_error where arithmetic cannot be
+  /// trusted
+  NodeContext(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+
+  ros::NodeHandle node;
+  ros::NodeHandle private_node;
+  ros::NodeHandle computing;  ///< the private one for services of the worker
+  const Parameters parameters;
+  const UrdfMachine urdf;
+  const Frames frames;
+  Health health;
+  Worker worker;
+  Worker painter;
+
+  const Machine& machine() const { return urdf.machine; }
+
+  /// What the node computes by itself, and what requests without values get. Thread-safe, as the next.
+  RegionQuery query() const;
+  void setCriterion(const Criterion& criterion, double accuracy);
+
+private:
+  mutable std::mutex mutex_;
+  RegionQuery query_;
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/BoxList.h>
+#include <pkm_workspace/PavingRequest.h>
+#include <pkm_workspace/Workspace.h>
+
+#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/ros/frames.h"
+#include "pkm_workspace/ros/parameters.h"
+
+namespace pkm_workspace
+{
+/// What is asked, and of which machine.
+struct PavingQuestion
+{
+  PavingQuery query;
+  FramedMachine in;
+  std::int64_t max_listed = 0;  ///< boxes in the message
+};
+
+/// A resolution for pictures and for those who name none [m]: a tenth of a strut, in a plane a fortieth.
+double defaultResolution(const Machine& machine, const Box& box);
+
+/// @param criterion what fields without a value stand for @param parameters other defaults and ceilings
+/// @param longest the most that may be asked for as a time limit [s]
+/// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
+PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
+                           const Parameters& parameters, double longest);
+
+/// @param stamp of the message
+Workspace toMessage(const PavingQuestion& question, const Paving& paving, const ros::Time& stamp);
+
+/// One line for people: what is asked for.
+std::string describe(const PavingQuery& query);
+/// One line for people: measures and effort.
+std::string summary(const Paving& paving);
+}  // namespace pkm_workspace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/ApproximateWorkspaceAction.h>
+#include <pkm_workspace/ComputeWorkspace.h>
+
+#include <memory>
+
+#include "pkm_workspace/ros/goal_server.h"
+#include "pkm_workspace/ros/node_context.h"
+#include "pkm_workspace/ros/paving_message.h"
+
+namespace pkm_workspace
+{
+/// Pavings: ~compute_workspace and ~approximate_workspace, latched ~workspace and ~workspace_markers.
+class PavingService
+{
+public:
+  /// Advertises. @param context has to outlive this object, its threads have to end before
+  explicit PavingService(NodeContext& context);
+
+private:
+  using Action = GoalServer<ApproximateWorkspaceAction>;
+
+  PavingQuestion read(const PavingRequest& request, double longest) const;
+  void approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result);
+  /// Paves, or goes on from the last paving where that is about the same; for the worker.
+  Workspace compute(PavingQuestion question, const StopFlag& stop);
+  void show(const FramedMachine& in, Workspace workspace, const Paving& paving);
+
+  NodeContext& context_;
+  ros::Publisher workspace_;
+  ros::Publisher markers_;
+  ros::ServiceServer service_;
+  Action action_;
+  std::shared_ptr<const Paving> last_;  ///< the worker's own
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/criterion_message.h"
+
+#include <limits>
+#include <sstream>
+
+#include "pkm_workspace/version.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// 0 is the default, +inf is none: 0 in a Criterion.
+double boundOr(double value, double fallback)
+{
+  return value == std::numeric_limits<double>::infinity() ? 0.0 : valueOr(value, fallback);
+}
+
+void readSet(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+{
+  if (request.set == CriterionRequest::DEXTROUS)
+    criterion.set = Criterion::Set::DEXTROUS;
+  else if (request.set == CriterionRequest::REACHABLE)
+    criterion.set = Criterion::Set::REACHABLE;
+  else if (request.set != CriterionRequest::DEFAULT)
+    problems.push_back("set = " + std::to_string(request.set) + " must be DEFAULT = 0, DEXTROUS = 1 or REACHABLE = 2");
+}
+
+void readFactors(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+{
+  if (criterion.set == Criterion::Set::REACHABLE && (request.psi_min != 0.0 || request.psi_max != 0.0))
+    problems.push_back("psi_min and psi_max must be 0 unless the set is DEXTROUS: in a reachable set they are free");
+  criterion.psi_min = valueOr(request.psi_min, criterion.psi_min);
+  criterion.psi_max = valueOr(request.psi_max, criterion.psi_max);
+  criterion.force_min = boundOr(request.force_min, criterion.force_min);
+  criterion.force_max = boundOr(request.force_max, criterion.force_max);
+  criterion.kappa_max = boundOr(request.kappa_max, criterion.kappa_max);
+}
+}  // namespace
+
+Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems)
+{
+  Criterion criterion = defaults;
+  readSet(request, criterion, problems);
+  readFactors(request, criterion, problems);
+  if (request.joint_limits == CriterionRequest::ON || request.joint_limits == CriterionRequest::OFF)
+    criterion.joint_limits = request.joint_limits == CriterionRequest::ON;
+  else if (request.joint_limits != CriterionRequest::DEFAULT)
+    problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
+                       " must be DEFAULT = 0, ON = 1 or OFF = 2");
+  return criterion;
+}
+
+std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
+                               const geometry_msgs::Point& max_corner, const std::string& flag, Problems& problems)
+{
+  const Box corners{ { min_corner.x, min_corner.y, min_corner.z }, { max_corner.x, max_corner.y, max_corner.z } };
+  if (given)
+    return corners;
+  if (corners.lower != Eigen::Vector3d::Zero() || corners.upper != Eigen::Vector3d::Zero())
+    problems.push_back("min_corner and max_corner must be 0 [m] unless " + flag + " is true");
+  return std::nullopt;
+}
+
+void requireTimeLimit(double time_limit, double longest, Problems& problems)
+{
+  if (!(time_limit > longest))
+    return;
+  std::ostringstream text;
+  text << "time_limit = " << time_limit << " s must be at most the node's ~time_limit, " << longest << " s";
+  problems.push_back(text.str());
+}
+
+Hypotheses hypothesesOf(const Machine& machine, const Criterion& criterion, double accuracy)
+{
+  const bool dextrous = criterion.set == Criterion::Set::DEXTROUS;
+  Hypotheses message;
+  message.machine = machine.name();
+  message.geometry_hash = machine.geometryHash();
+  message.version = version();
+  message.set = dextrous ? Hypotheses::DEXTROUS : Hypotheses::REACHABLE;
+  message.aspect = static_cast<std::uint8_t>(criterion.aspect);
+  message.psi_min = dextrous ? criterion.psi_min : 0.0;
+  message.psi_max = dextrous ? criterion.psi_max : 0.0;
+  message.force_min = criterion.force_min;
+  message.force_max = criterion.force_max;
+  message.kappa_max = criterion.kappa_max;
+  message.joint_limits = criterion.joint_limits;
+  message.accuracy = accuracy;
+  return message;
+}
+}  // namespace pkm_workspace

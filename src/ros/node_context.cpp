@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/node_context.h"
+
+#include <ros/console.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/region/center_space.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Refuses to run where proofs would be void, and what has no bounded answer, before anybody asks.
+void requireAnswerable(const Machine& machine, const Parameters& parameters)
+{
+  const std::string defect = rounding::selfTest();
+  if (!defect.empty())
+    throw std::runtime_error("nothing can be proved on this computer: " + defect);
+  centerSpace(machine, parameters.query);
+}
+
+void logMachine(const UrdfMachine& urdf, const std::string& frame)
+{
+  for (const auto& warning : urdf.warnings)
+    ROS_WARN_STREAM_NAMED("urdf", warning);
+  std::ostringstream legs;
+  for (const Leg& leg : urdf.machine.legs())
+    legs << "; " << leg.joint << " in [" << leg.limits.lower() << ", " << leg.limits.upper() << "] m, strut "
+         << leg.length.mid() << " m";
+  ROS_INFO_STREAM_NAMED("urdf", "machine '" << urdf.machine.name() << "' in frame " << frame << legs.str()
+                                            << "; geometry " << urdf.machine.geometryHash());
+}
+}  // namespace
+
+NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_handle)
+  : node(node_handle)
+  , private_node(private_handle)
+  , computing(private_handle)
+  , parameters(loadParameters(private_handle))
+  , urdf(loadMachine(private_handle, parameters.urdf))
+  , frames(urdf.machine, frameOf(private_handle, urdf.root_link))
+  , query_(parameters.query)
+{
+  requireAnswerable(machine(), parameters);
+  logMachine(urdf, frames.root().frame);
+  computing.setCallbackQueue(&worker.queue());
+}
+
+RegionQuery NodeContext::query() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return query_;
+}
+
+void NodeContext::setCriterion(const Criterion& criterion, double accuracy)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  query_.criterion = criterion;
+  query_.accuracy = accuracy;
+}
+}  // namespace pkm_workspace

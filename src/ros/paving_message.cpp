@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/paving_message.h"
+
+#include <sstream>
+
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+void readAspect(const PavingRequest& request, Criterion& criterion, Problems& problems)
+{
+  using Aspect = Criterion::Aspect;
+  constexpr Aspect ASPECTS[] = { Aspect::OWN, Aspect::OTHER, Aspect::BOTH };  // as the message numbers them
+  if (request.aspect <= PavingRequest::BOTH)
+    criterion.aspect = ASPECTS[request.aspect];
+  else
+    problems.push_back("aspect = " + std::to_string(request.aspect) + " must be OWN = 0, OTHER = 1 or BOTH = 2");
+}
+
+void readMemory(const PavingRequest& request, const Parameters& parameters, PavingQuery& query, Problems& problems)
+{
+  const std::int64_t most = parameters.max_memory;
+  query.max_memory = request.max_memory == 0 ? most : request.max_memory;
+  if (query.max_memory > most)
+    problems.push_back("max_memory = " + std::to_string(query.max_memory) +
+                       " bytes must be at most the node's ~max_memory, " + std::to_string(most) + " bytes");
+}
+
+void add(const BoxTree& tree, CellState state, BoxList& list)
+{
+  for (const std::vector<Box>& boxes : tree.boxes(state))
+    for (const Box& box : boxes)
+    {
+      list.min_corners.push_back(toMessage(box.lower));
+      list.max_corners.push_back(toMessage(box.upper));
+    }
+}
+
+std::uint8_t dimensionOf(const Box& box)
+{
+  return static_cast<std::uint8_t>(((box.upper - box.lower).array() > 0.0).count());
+}
+}  // namespace
+
+double defaultResolution(const Machine& machine, const Box& box)
+{
+  return machine.scale() / (dimensionOf(box) == 2 ? 40.0 : 10.0);
+}
+
+PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
+                           const Parameters& parameters, double longest)
+{
+  PavingQuestion question{ {}, in, request.max_listed };
+  PavingQuery& query = question.query;
+  Problems problems;
+  query.criterion = fromMessage(request.criterion, criterion, problems);
+  readAspect(request, query.criterion, problems);
+  query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
+  query.budget = parameters.query.budget;
+  query.budget.time_limit = valueOr(request.time_limit, parameters.query.budget.time_limit);
+  requireTimeLimit(query.budget.time_limit, longest, problems);
+  readMemory(request, parameters, query, problems);
+  if (request.max_listed < 0)
+    problems.push_back("max_listed = " + std::to_string(request.max_listed) + " must be >= 0");
+  query.resolution = valueOr(request.resolution, parameters.paving_resolution);
+  const bool is_default = query.resolution == 0.0;
+  if (is_default)
+    query.resolution = 1.0;  // until there is a box, which a bad criterion may keep from being found
+  query.validate(problems);
+  throwProblems(problems);
+  if (!query.box)
+    query.box = defaultBox(*in.machine, query.criterion);
+  if (is_default)
+    query.resolution = defaultResolution(*in.machine, *query.box);
+  return question;
+}
+
+Workspace toMessage(const PavingQuestion& question, const Paving& paving, const ros::Time& stamp)
+{
+  const BoxTree& tree = paving.tree;
+  Workspace message;
+  message.header = headerOf(question.in, stamp);
+  message.hypotheses = hypothesesOf(*question.in.machine, paving.criterion, paving.resolution);
+  message.min_corner = toMessage(paving.box.lower);
+  message.max_corner = toMessage(paving.box.upper);
+  message.dimension = dimensionOf(paving.box);
+  message.volume_lower_bound = paving.volumeLower();
+  message.volume_upper_bound = paving.volumeUpper();
+  message.volume_inside = paving.volume_inside.lower();
+  message.volume_boundary = paving.volume_boundary.upper();
+  message.boxes_inside = tree.count(CellState::INSIDE);
+  message.boxes_boundary = tree.count(CellState::BOUNDARY);
+  message.boxes_pending = tree.count(CellState::PENDING);
+  message.boxes = paving.boxes;
+  message.boxes_here = paving.boxes_here;
+  message.complete = paving.complete;
+  message.seconds = paving.seconds;
+  message.message = paving.complete ? "Every box down to the resolution was looked at."
+                                    : "A limit or a cancel ended it early: more time or memory give closer bounds.";
+  if (question.max_listed > 0)
+  {
+    const BoxTree coarse = tree.coarsened(question.max_listed);
+    add(coarse, CellState::INSIDE, message.inside);
+    add(coarse, CellState::BOUNDARY, message.boundary);
+    add(coarse, CellState::PENDING, message.boundary);
+  }
+  return message;
+}
+
+std::string describe(const PavingQuery& query)
+{
+  std::ostringstream text;
+  text << "paving of the set with " << describe(query.criterion) << ", resolution " << query.resolution << " m, within "
+       << query.budget.time_limit << " s";
+  return text.str();
+}
+
+std::string summary(const Paving& paving)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << "set of measure " << paving.volumeLower() << " to " << paving.volumeUpper() << " m^"
+       << int(dimensionOf(paving.box)) << "; ";
+  text.precision(3);
+  text << paving.boxes_here << " boxes, " << paving.seconds << " s";
+  return text.str();
+}
+}  // namespace pkm_workspace

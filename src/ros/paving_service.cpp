@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/paving_service.h"
+
+#include <ros/console.h>
+
+#include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/markers.h"
+
+namespace pkm_workspace
+{
+PavingService::PavingService(NodeContext& context)
+  : context_(context)
+  , workspace_(context.private_node.advertise<Workspace>("workspace", 1, true))
+  , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("workspace_markers", 1, true))
+  , service_(offer<ComputeWorkspace>(
+        context.computing, context.health, "compute_workspace",
+        [this](const ComputeWorkspace::Request& request, ComputeWorkspace::Response& response) {
+          response.workspace =
+              compute(read(request.query, context_.parameters.query.budget.time_limit), context_.worker.makeStopFlag());
+          response.message = response.workspace.message;
+        }))
+  , action_(context, "approximate_workspace",
+            [this](const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result) {
+              approximate(goal, stop, tell, result);
+            })
+{}
+
+PavingQuestion PavingService::read(const PavingRequest& request, double longest) const
+{
+  return fromMessage(request, context_.frames.machineIn(request.header.frame_id), context_.query().criterion,
+                     context_.parameters, longest);
+}
+
+void PavingService::approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell,
+                                Action::Result& result)
+{
+  PavingQuestion question = read(goal.query, LONGEST);
+  question.query.progress = [&tell](const PavingProgress& progress) {
+    Action::Feedback feedback;
+    feedback.volume_inside = progress.volume_inside;
+    feedback.volume_boundary = progress.volume_boundary;
+    feedback.boxes = progress.boxes;
+    feedback.boxes_per_second = progress.boxesPerSecond();
+    feedback.seconds = progress.seconds;
+    tell(feedback);
+  };
+  result.workspace = compute(question, stop);
+  result.message = result.workspace.message;
+}
+
+Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
+{
+  PavingQuery& query = question.query;
+  const Machine& machine = *question.in.machine;
+  query.budget.stop = stop.get();
+  ROS_INFO_STREAM_NAMED("server", "computing: " << describe(query));
+  Problems differences;
+  if (last_)
+    validateEarlier(machine, query, *last_, differences);
+  const auto paving = std::make_shared<const Paving>(last_ && differences.empty() ? resume(machine, query, *last_)
+                                                                                  : pave(machine, query));
+  last_ = paving;
+  ROS_INFO_STREAM_NAMED("server", summary(*paving));
+  context_.health.noteComputation({ describe(query), summary(*paving), paving->seconds, !paving->complete });
+  const Workspace workspace = toMessage(question, *paving, ros::Time::now());
+  if (!*stop)  // whoever asked has the answer by then
+    context_.worker.post([this, in = question.in, workspace, paving] { show(in, workspace, *paving); });
+  return workspace;
+}
+
+void PavingService::show(const FramedMachine& in, Workspace workspace, const Paving& paving)
+{
+  workspace.inside = workspace.boundary = BoxList();
+  workspace_.publish(workspace);
+  markers_.publish(markersOf(paving, *in.machine, workspace.header));
+}
+}  // namespace pkm_workspace

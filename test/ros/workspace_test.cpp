@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/ComputeWorkspace.h>
+
+#include <limits>
+#include <regex>
+
+#include "node_client.h"
+#include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/paving/paving.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+ComputeWorkspace::Response approximate(const PavingRequest& query)
+{
+  ComputeWorkspace::Request request;
+  request.query = query;
+  return call<ComputeWorkspace>("compute_workspace", request);
+}
+
+PavingRequest atResolution(double resolution)
+{
+  PavingRequest query;
+  query.resolution = resolution;
+  return query;
+}
+
+/// The same by the library, from the beginning.
+Paving fresh(double resolution)
+{
+  PavingQuery query;
+  query.resolution = resolution;
+  return pave(orthoglide(), query);
+}
+
+void expectSame(const Paving& paving, const Workspace& workspace)
+{
+  EXPECT_EQ(paving.volumeLower(), workspace.volume_lower_bound);
+  EXPECT_EQ(paving.volumeUpper(), workspace.volume_upper_bound);
+  EXPECT_EQ(paving.tree.count(CellState::INSIDE), workspace.boxes_inside);
+  EXPECT_EQ(paving.tree.count(CellState::BOUNDARY), workspace.boxes_boundary);
+  EXPECT_EQ(paving.boxes, workspace.boxes);
+  EXPECT_TRUE(workspace.complete);
+}
+
+double volumeOf(const BoxList& list)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < list.min_corners.size(); ++k)
+    sum += (list.max_corners[k].x - list.min_corners[k].x) * (list.max_corners[k].y - list.min_corners[k].y) *
+           (list.max_corners[k].z - list.min_corners[k].z);
+  return sum;
+}
+}  // namespace
+
+TEST(ComputeWorkspace, goesOnFromTheLastPaving)
+{
+  const auto coarse = approximate(atResolution(0.1));
+  ASSERT_EQ(ErrorCode::SUCCESS, coarse.error_code) << coarse.message;
+  expectSame(fresh(0.1), coarse.workspace);
+  const auto fine = approximate(atResolution(0.05));
+  expectSame(fresh(0.05), fine.workspace);
+  EXPECT_LT(fine.workspace.boxes_here, fine.workspace.boxes);
+  EXPECT_EQ(0, approximate(atResolution(0.05)).workspace.boxes_here);
+}
+
+TEST(ComputeWorkspace, beginsAnewForAnotherQuestion)
+{
+  approximate(atResolution(0.1));
+  PavingRequest other = atResolution(0.1);
+  other.criterion.psi_max = 1.5;
+  const Workspace workspace = approximate(other).workspace;
+  EXPECT_EQ(workspace.boxes, workspace.boxes_here);
+  EXPECT_EQ(1.5, workspace.hypotheses.psi_max);
+  EXPECT_EQ(0.1, workspace.hypotheses.accuracy);
+}
+
+TEST(ComputeWorkspace, listsBoxesAsCoarselyAsItTakes)
+{
+  PavingRequest query = atResolution(0.05);
+  EXPECT_TRUE(approximate(query).workspace.inside.min_corners.empty());
+  std::size_t before = 0;
+  for (const int most : { 1, 100, 1000, 1000000 })
+  {
+    query.max_listed = most;
+    const Workspace workspace = approximate(query).workspace;
+    const std::size_t count = workspace.inside.min_corners.size() + workspace.boundary.min_corners.size();
+    EXPECT_LE(count, static_cast<std::size_t>(most));
+    EXPECT_GT(count, before);
+    before = count;
+    EXPECT_LE(volumeOf(workspace.inside), workspace.volume_inside + 1e-9);
+    EXPECT_GE(volumeOf(workspace.inside) + volumeOf(workspace.boundary), workspace.volume_upper_bound - 1e-9);
+  }
+  EXPECT_EQ(before, static_cast<std::size_t>(fresh(0.05).tree.count(CellState::INSIDE) +
+                                             fresh(0.05).tree.count(CellState::BOUNDARY)));
+}
+
+TEST(ComputeWorkspace, tellsTheAspectsApart)
+{
+  PavingRequest query = atResolution(0.1);
+  query.criterion.set = CriterionRequest::REACHABLE;
+  double sum = 0.0;
+  for (const std::uint8_t aspect : { PavingRequest::OWN, PavingRequest::OTHER })
+  {
+    query.aspect = aspect;
+    const Workspace workspace = approximate(query).workspace;
+    EXPECT_EQ(aspect, workspace.hypotheses.aspect);
+    sum += workspace.volume_lower_bound;
+  }
+  query.aspect = PavingRequest::BOTH;
+  const Workspace both = approximate(query).workspace;
+  EXPECT_GE(both.volume_upper_bound, sum);
+  EXPECT_EQ(Hypotheses::REACHABLE, both.hypotheses.set);
+}
+
+TEST(ComputeWorkspace, refusesWhatIsOutOfRange)
+{
+  struct Case
+  {
+    void (*spoil)(PavingRequest&);
+    const char* message;
+  };
+  const Case cases[] = {
+    { [](PavingRequest& q) { q.aspect = 3; }, "aspect = 3 must be OWN = 0, OTHER = 1 or BOTH = 2" },
+    { [](PavingRequest& q) { q.resolution = -0.1; }, "resolution = -0.1.* m must be positive" },
+    { [](PavingRequest& q) { q.resolution = std::numeric_limits<double>::quiet_NaN(); }, "resolution = nan" },
+    { [](PavingRequest& q) { q.max_memory = 5; }, "max_memory = 5 bytes must be at least 4096" },
+    { [](PavingRequest& q) { q.max_memory = std::int64_t(1) << 40; }, "max_memory = .* at most the node's" },
+    { [](PavingRequest& q) { q.max_listed = -1; }, "max_listed = -1 must be >= 0" },
+    { [](PavingRequest& q) { q.time_limit = 61.0; }, "time_limit = 61 s must be at most" },
+    { [](PavingRequest& q) { q.min_corner.x = 1.0; }, "min_corner and max_corner .* unless use_box" },
+    { [](PavingRequest& q) { q.criterion.psi_min = -1.0; }, "psi_min = -1 .*must be positive" },
+    { [](PavingRequest& q) { q.criterion.joint_limits = 7; }, "joint_limits = 7 must be DEFAULT" },
+  };
+  for (const Case& bad : cases)
+  {
+    PavingRequest query;
+    bad.spoil(query);
+    const auto response = approximate(query);
+    EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);
+    EXPECT_TRUE(std::regex_search(response.message, std::regex(bad.message)))
+        << "expected: " << bad.message << "\n     got: " << response.message;
+    EXPECT_EQ(Workspace(), response.workspace);
+  }
+}
+}  // namespace test
+}  // namespace pkm_workspace
