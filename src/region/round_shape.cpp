@@ -210,4 +210,18 @@ ShapePtr makeCylinder(double ratio)
   }
   return std::make_shared<RoundShape>("cylinder", "height [m]", 2, ratio, 0.5);
 }
+
+ShapePtr makeCylinder(double radius, double height)
+{
+  const auto isOrdinary = [](double length) { return length >= 1e-100 && length <= 1e100; };
+  if (!isOrdinary(radius) || !isOrdinary(height))
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "cylinder of radius " << radius << " m and height " << height
+         << " m: both must be positive and finite (1e-100 to 1e100)";
+    throw std::invalid_argument(text.str());
+  }
+  return std::make_shared<RoundShape>("cylinder", "factor on radius and height", 2, radius, 0.5 * height);
+}
 }  // namespace pkm_workspace

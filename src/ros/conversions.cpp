@@ -137,7 +137,7 @@ Region toMessage(const Answer& answer, const ros::Time& stamp)
   const Machine& machine = *answer.question.in.machine;
   Region message;
   message.header = headerOf(answer.question.in, stamp);
-  message.hypotheses = hypothesesOf(machine, query.criterion, query.accuracy);
+  message.hypotheses = hypothesesOf(answer.question.in, query.criterion, query.accuracy);
   message.status = constantOf(region.status);
   describeRegion(region, *region.shape, message);
   if (query.search_box)

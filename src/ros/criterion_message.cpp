@@ -71,12 +71,24 @@ void requireTimeLimit(double time_limit, double longest, Problems& problems)
   problems.push_back(text.str());
 }
 
-Hypotheses hypothesesOf(const Machine& machine, const Criterion& criterion, double accuracy)
+Criterion::Aspect aspectOf(std::uint8_t aspect, Problems& problems)
+{
+  if (aspect == Hypotheses::OTHER)
+    return Criterion::Aspect::OTHER;
+  if (aspect == Hypotheses::BOTH)
+    return Criterion::Aspect::BOTH;
+  if (aspect != Hypotheses::OWN)
+    problems.push_back("aspect = " + std::to_string(aspect) + " must be OWN = 0, OTHER = 1 or BOTH = 2");
+  return Criterion::Aspect::OWN;
+}
+
+Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy)
 {
   const bool dextrous = criterion.set == Criterion::Set::DEXTROUS;
   Hypotheses message;
-  message.machine = machine.name();
-  message.geometry_hash = machine.geometryHash();
+  message.machine = in.machine->name();
+  message.geometry_hash = in.geometry_hash;
+  message.root = in.root;
   message.version = version();
   message.set = dextrous ? Hypotheses::DEXTROUS : Hypotheses::REACHABLE;
   message.aspect = static_cast<std::uint8_t>(criterion.aspect);

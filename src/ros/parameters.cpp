@@ -166,7 +166,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
 /// Parameters that belong to others and may be private all the same.
 bool isForeign(const std::string& name)
 {
-  return name == "robot_description" || name == "tf_prefix";
+  return name == "robot_description" || name == "tf_prefix" || name == "diagnostic_period";
 }
 
 void readTable(const Table& table, const XmlRpcValue& values, Problems& problems)

@@ -10,16 +10,6 @@ namespace pkm_workspace
 {
 namespace
 {
-void readAspect(const PavingRequest& request, Criterion& criterion, Problems& problems)
-{
-  using Aspect = Criterion::Aspect;
-  constexpr Aspect ASPECTS[] = { Aspect::OWN, Aspect::OTHER, Aspect::BOTH };  // as the message numbers them
-  if (request.aspect <= PavingRequest::BOTH)
-    criterion.aspect = ASPECTS[request.aspect];
-  else
-    problems.push_back("aspect = " + std::to_string(request.aspect) + " must be OWN = 0, OTHER = 1 or BOTH = 2");
-}
-
 void readMemory(const PavingRequest& request, const Parameters& parameters, PavingQuery& query, Problems& problems)
 {
   const std::int64_t most = parameters.max_memory;
@@ -57,7 +47,7 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   PavingQuery& query = question.query;
   Problems problems;
   query.criterion = fromMessage(request.criterion, criterion, problems);
-  readAspect(request, query.criterion, problems);
+  query.criterion.aspect = aspectOf(request.aspect, problems);
   query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
   query.budget = parameters.query.budget;
   query.budget.time_limit = valueOr(request.time_limit, parameters.query.budget.time_limit);
@@ -83,7 +73,7 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
   const BoxTree& tree = paving.tree;
   Workspace message;
   message.header = headerOf(question.in, stamp);
-  message.hypotheses = hypothesesOf(*question.in.machine, paving.criterion, paving.resolution);
+  message.hypotheses = hypothesesOf(question.in, paving.criterion, paving.resolution);
   message.min_corner = toMessage(paving.box.lower);
   message.max_corner = toMessage(paving.box.upper);
   message.dimension = dimensionOf(paving.box);

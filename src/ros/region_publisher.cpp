@@ -41,7 +41,7 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 {
   try
   {
-    joint_states_->moveTo(question.in.to_root * fromMessage(region.center));
+    joint_states_->moveTo(question.in.toRoot() * fromMessage(region.center));
   }
   catch (const std::invalid_argument& error)
   {

@@ -7,7 +7,12 @@
 namespace pkm_workspace
 {
 Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-  : context_(node, private_node), regions_(context_), pavings_(context_)
+  : context_(node, private_node)
+  , regions_(context_)
+  , pavings_(context_)
+  , singularities_(context_)
+  , criterion_(context_, [this] { regions_.computeOwn(); })
+  , diagnostics_(context_)
 {}
 
 Server::~Server()

@@ -11,7 +11,7 @@ import rospy
 import rostest
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 from pkm_workspace.msg import CriterionRequest, ErrorCode, Region, RegionRequest
-from pkm_workspace.srv import ComputeLargestRegion, GetRegion
+from pkm_workspace.srv import ComputeLargestRegion, GetRegion, SetCriterion
 
 # Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
 ENDLESS = {"shape": "square", "joint_limits": True, "accuracy": 1e-14}
@@ -52,6 +52,17 @@ class LongComputationTest(unittest.TestCase):
             self.assertEqual(Region.STOPPED, region.status)
             self.assertGreater(region.size, 0.5)
             self.assertGreater(region.size_upper_bound, region.size + 1e-14)
+
+    def test_another_criterion_ends_what_is_stale(self):
+        with NodeProcess(urdf("uranesx"), {**ENDLESS, "time_limit": 86400}) as node:
+            set_criterion = service("set_criterion", SetCriterion)
+            node.wait_for_output("accuracy 1e-14")
+            off = CriterionRequest(joint_limits=CriterionRequest.OFF)
+            self.assertEqual(ErrorCode.SUCCESS, set_criterion(off, 1e-3).error_code)
+            get_region = service("get_region", GetRegion)
+            wait_until(lambda: get_region().error_code == ErrorCode.SUCCESS)
+            region = get_region().region
+            self.assertEqual((Region.PROVEN, False), (region.status, region.hypotheses.joint_limits))
 
     def test_get_region_answers_while_a_request_is_computed(self):
         with NodeProcess(urdf("uranesx"), {"shape": "square", "time_limit": 86400}) as node:

@@ -43,7 +43,7 @@ class NamespacesTest(unittest.TestCase):
         request.header.frame_id = "right/base_link"
         response = rospy.ServiceProxy(name, ComputeLargestRegion)(request)
         self.assertEqual(ErrorCode.UNKNOWN_FRAME, response.error_code)
-        self.assertRegex(response.message, "'right/base_link' must be empty or 'left/base_link'")
+        self.assertRegex(response.message, "'right/base_link' is not (known|connected).*'left/base_link'")
 
 
 if __name__ == "__main__":

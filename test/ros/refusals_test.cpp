@@ -91,8 +91,8 @@ const BadRequest BAD_REQUESTS[] = {
       q.min_corner.x = NAN_VALUE;
     },
     "search.box x = \\[nan, 0\\] m" },
-  { "frame that is not known", [](auto& q) { q.header.frame_id = "workbench"; },
-    "frame_id = 'workbench' must be empty or 'base_link'", ErrorCode::UNKNOWN_FRAME },
+  { "frame that is not known", [](auto& q) { q.header.frame_id = "nowhere"; },
+    "frame_id = 'nowhere' is not known to tf; empty stands for 'base_link'", ErrorCode::UNKNOWN_FRAME },
 };
 }  // namespace
 

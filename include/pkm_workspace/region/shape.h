@@ -84,6 +84,8 @@ ShapePtr makeDisc();
 /// Its axis is parallel to z. Size: height [m]. @param ratio radius over height, > 0
 /// @throws std::invalid_argument for another ratio
 ShapePtr makeCylinder(double ratio);
+/// The same of given measures [m]: size is a factor on both. @throws std::invalid_argument unless both are positive
+ShapePtr makeCylinder(double radius, double height);
 
 /// The names of the shapes that a name, and proportions for a box, are enough for: all but the cylinder.
 std::vector<std::string> shapeNames();

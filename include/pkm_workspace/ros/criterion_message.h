@@ -9,7 +9,7 @@
 #include <string>
 
 #include "pkm_workspace/dexterity/criterion.h"
-#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/ros/frames.h"
 
 namespace pkm_workspace
 {
@@ -32,6 +32,10 @@ std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corne
 /// Appends one sentence for a time limit [s] above @p longest, said to be the node's ~time_limit.
 void requireTimeLimit(double time_limit, double longest, Problems& problems);
 
+/// @param aspect OWN = 0, OTHER = 1 or BOTH = 2, as all messages number them
+/// @param problems gets one sentence for another number
+Criterion::Aspect aspectOf(std::uint8_t aspect, Problems& problems);
+
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
-Hypotheses hypothesesOf(const Machine& machine, const Criterion& criterion, double accuracy);
+Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);
 }  // namespace pkm_workspace

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <geometry_msgs/Pose.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
 #include <Eigen/Geometry>
 #include <memory>
 #include <string>
@@ -14,10 +18,14 @@ struct FramedMachine
 {
   std::string frame;                       ///< its name in tf
   std::shared_ptr<const Machine> machine;  ///< all numbers in that frame
-  Eigen::Isometry3d to_root;               ///< from that frame to the machine's root link, in floating point
+  std::string geometry_hash;               ///< of the machine in the frame of its root link
+  geometry_msgs::Pose root;                ///< of its root link in that frame
+
+  /// From that frame to the root link's, in floating point.
+  Eigen::Isometry3d toRoot() const;
 };
 
-/// The frames that a request may be made in.
+/// The frames that a request may be made in: all that tf knows. Thread-safe.
 class Frames
 {
 public:
@@ -26,11 +34,15 @@ public:
 
   /// The machine in the frame of its root link.
   const FramedMachine& root() const { return root_; }
-  /// The machine in a frame. @param name empty: the root's
-  /// @throws Refusal that names the frames there are
+  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known.
+  /// @param name empty: the root's @throws Refusal that names the frames there are
   FramedMachine machineIn(const std::string& name) const;
 
 private:
+  geometry_msgs::Pose rootIn(const std::string& frame) const;
+
   FramedMachine root_;
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
 };
 }  // namespace pkm_workspace

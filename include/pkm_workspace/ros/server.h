@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pkm_workspace/ros/criterion_service.h"
+#include "pkm_workspace/ros/diagnostics.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_service.h"
 #include "pkm_workspace/ros/region_service.h"
+#include "pkm_workspace/ros/singularity_service.h"
 
 namespace pkm_workspace
 {
@@ -27,5 +30,8 @@ private:
   NodeContext context_;
   RegionService regions_;
   PavingService pavings_;
+  SingularityService singularities_;
+  CriterionService criterion_;
+  Diagnostics diagnostics_;
 };
 }  // namespace pkm_workspace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/Bounds.h>
+#include <shape_msgs/SolidPrimitive.h>
+
+#include "pkm_workspace/region/shape.h"
+
+namespace pkm_workspace
+{
+/// A shape of a given size: exactly the solid of a message, nothing is rounded.
+struct Solid
+{
+  ShapePtr shape;
+  double size = 1.0;
+};
+
+/// Reads a box, a sphere, or a cylinder along z.
+/// @throws std::invalid_argument naming every dimension that is missing or out of range, or another type
+Solid fromMessage(const shape_msgs::SolidPrimitive& message);
+
+/// NaN twice for the empty set.
+Bounds toMessage(const Interval& interval);
+
+/// Appends one sentence unless the point is finite.
+void requireFinite(const char* name, const Eigen::Vector3d& point, Problems& problems);
+}  // namespace pkm_workspace

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/criterion_service.h"
+
+#include "pkm_workspace/region/center_space.h"
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/reply.h"
+
+namespace pkm_workspace
+{
+CriterionService::CriterionService(NodeContext& context, const std::function<void()>& changed)
+  : context_(context)
+  , changed_(changed)
+  , service_(offer<SetCriterion>(
+        context.private_node, context.health, "set_criterion",
+        [this](const SetCriterion::Request& request, SetCriterion::Response& response) { set(request, response); }))
+{}
+
+void CriterionService::set(const SetCriterion::Request& request, SetCriterion::Response& response)
+{
+  RegionQuery query = context_.query();
+  Problems problems;
+  query.criterion = fromMessage(request.criterion, query.criterion, problems);
+  query.accuracy = valueOr(request.accuracy, query.accuracy);
+  query.validate(problems);
+  throwProblems(problems);
+  centerSpace(context_.machine(), query);  // refuses what has no bounded answer
+  context_.setCriterion(query.criterion, query.accuracy);
+  changed_();
+  response.hypotheses = hypothesesOf(context_.frames.root(), query.criterion, query.accuracy);
+  response.message = "computing: " + describe(query);
+}
+}  // namespace pkm_workspace

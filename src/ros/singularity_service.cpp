@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/singularity_service.h"
+
+#include <ros/console.h>
+
+#include <cmath>
+
+#include "pkm_workspace/paving/range_workspace.h"
+#include "pkm_workspace/region/region_singularity.h"
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/solid_message.h"
+#include "scene.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Request = FindSingularities::Request;
+using visualization_msgs::Marker;
+
+constexpr Color SINGULAR = { 0.85F, 0.1F, 0.1F, 1.0F };
+
+std::array<Interval, 3> readRanges(const Request& request, Problems& problems)
+{
+  std::array<Interval, 3> ranges;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Bounds& bounds = request.ranges[i];
+    if (std::isfinite(bounds.lower) && std::isfinite(bounds.upper) && bounds.lower <= bounds.upper)
+      ranges[i] = { bounds.lower, bounds.upper };
+    else
+      problems.push_back("ranges[" + std::to_string(i) + "] = [" + std::to_string(bounds.lower) + ", " +
+                         std::to_string(bounds.upper) + "] m must be finite, the lower end first");
+  }
+  return ranges;
+}
+
+/// Refuses what is set and without effect.
+void requireUnused(const Request& request, Problems& problems)
+{
+  for (const Bounds& bounds : request.ranges)
+    if (request.over != Request::JOINT_RANGES && (bounds.lower != 0.0 || bounds.upper != 0.0))
+      return problems.push_back("ranges must be 0 [m] unless over = JOINT_RANGES");
+  if (request.over != Request::REGION &&
+      (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))
+    problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
+}
+
+SingularityFinding findingOf(const SingularityAnswer& answer)
+{
+  constexpr std::uint8_t STATUS[] = { SingularityFinding::NONE, SingularityFinding::PROVED,
+                                      SingularityFinding::UNDECIDED };  // as SingularityAnswer::Status
+  SingularityFinding message;
+  message.status = STATUS[static_cast<std::size_t>(answer.status)];
+  message.least = toMessage(answer.least);
+  if (answer.status == SingularityAnswer::Status::PROVED)
+  {
+    message.min_corner = toMessage(answer.box->lower);
+    message.max_corner = toMessage(answer.box->upper);
+  }
+  message.boxes = answer.boxes;
+  return message;
+}
+
+/// A ball around each box, which is mostly too small to be seen.
+visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& found, const Machine& machine)
+{
+  Scene scene(found.header, machine.scale() / 1000.0);
+  const auto add = [&scene](const SingularityFinding& finding, const std::string& text) {
+    if (finding.status != SingularityFinding::PROVED)
+      return;
+    const Box box{ fromMessage(finding.min_corner), fromMessage(finding.max_corner) };
+    Marker& ball = scene.add("singularity", Marker::SPHERE, SINGULAR);
+    ball.pose.position = toMessage(box.center());
+    ball.scale.x = ball.scale.y = ball.scale.z = std::max(40.0 * scene.unit(), 2.0 * box.maxWidth());
+    scene.addText("singularity", box.center() + 80.0 * scene.unit() * Eigen::Vector3d::UnitZ(), text);
+  };
+  for (int i = 0; i < 3; ++i)
+    add(found.serial[static_cast<std::size_t>(i)], "serial singularity: " + machine.leg(i).joint);
+  add(found.parallel, "parallel singularity");
+  return scene.array();
+}
+
+std::string sentence(const FindSingularities::Response& found)
+{
+  int proved = 0;
+  int undecided = 0;
+  for (const SingularityFinding& finding : { found.serial[0], found.serial[1], found.serial[2], found.parallel })
+  {
+    proved += finding.status == SingularityFinding::PROVED ? 1 : 0;
+    undecided += finding.status == SingularityFinding::UNDECIDED ? 1 : 0;
+  }
+  if (proved == 0 && undecided == 0)
+    return "proved: no point that counts is singular";
+  return "of the three kinds of serial singularities and the parallel ones, " + std::to_string(proved) +
+         " are proved to exist and " + std::to_string(undecided) + " are undecided";
+}
+}  // namespace
+
+SingularityService::SingularityService(NodeContext& context)
+  : context_(context)
+  , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("singularity_markers", 1, true))
+  , service_(offer<FindSingularities>(
+        context.computing, context.health, "find_singularities",
+        [this](const Request& request, FindSingularities::Response& response) { find(request, response); }))
+{}
+
+SingularityService::Question SingularityService::read(const Request& request) const
+{
+  Question question{ SingularityQuery(), context_.frames.machineIn(request.header.frame_id) };
+  Problems problems;
+  requireUnused(request, problems);
+  if (request.over > Request::REGION)
+    problems.push_back("over = " + std::to_string(request.over) +
+                       " must be REACHABLE = 0, JOINT_LIMITS = 1, JOINT_RANGES = 2 or REGION = 3");
+  if (request.over == Request::JOINT_RANGES)
+  {
+    const auto ranges = readRanges(request, problems);
+    throwProblems(problems);
+    question.in.machine = std::make_shared<const Machine>(withJointLimits(*question.in.machine, ranges));
+  }
+  if (request.over == Request::REGION)
+  {
+    const Solid solid = fromMessage(request.solid);
+    requireFinite("center", fromMessage(request.center), problems);
+    throwProblems(problems);
+    question.query = singularitiesOver(solid.shape, fromMessage(request.center), solid.size);
+  }
+  question.query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
+  question.query.aspect = aspectOf(request.aspect, problems);
+  question.query.accuracy = valueOr(request.accuracy, question.query.accuracy);
+  const Budget& node = context_.parameters.query.budget;
+  question.query.budget.threads = node.threads;
+  question.query.budget.time_limit = valueOr(request.time_limit, node.time_limit);
+  requireTimeLimit(question.query.budget.time_limit, node.time_limit, problems);
+  question.query.validate(problems);
+  throwProblems(problems);
+  return question;
+}
+
+void SingularityService::find(const Request& request, FindSingularities::Response& response)
+{
+  Question question = read(request);
+  const StopFlag stop = context_.worker.makeStopFlag();
+  question.query.budget.stop = stop.get();
+  ROS_INFO_NAMED("server", "computing: singularities");
+  const Singularities found = findSingularities(*question.in.machine, question.query);
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.aspect = question.query.aspect;
+  criterion.joint_limits = question.query.joint_limits;
+  response.header = headerOf(question.in, ros::Time::now());
+  response.hypotheses = hypothesesOf(question.in, criterion, question.query.accuracy);
+  for (const SingularityAnswer& answer : found.serial)
+    response.serial.push_back(findingOf(answer));
+  response.parallel = findingOf(found.parallel);
+  response.seconds = found.seconds;
+  response.message = sentence(response);
+  ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
+  context_.health.noteComputation({ "singularities", response.message, found.seconds, false });
+  markers_.publish(markersOf(response, *question.in.machine));
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/FindSingularities.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <limits>
+#include <regex>
+
+#include "node_client.h"
+#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+using Request = FindSingularities::Request;
+
+Request overCube(double edge)
+{
+  Request request;
+  request.over = Request::REGION;
+  request.aspect = Request::BOTH;
+  request.solid.type = shape_msgs::SolidPrimitive::BOX;
+  request.solid.dimensions = { edge, edge, edge };
+  request.center.x = request.center.y = request.center.z = 0.086;
+  return request;
+}
+
+FindSingularities::Response find(const Request& request)
+{
+  return call<FindSingularities>("find_singularities", request);
+}
+}  // namespace
+
+TEST(FindSingularities, provesThatTheLargestCubeHasNone)
+{
+  const auto found = find(overCube(0.643));
+  ASSERT_EQ(ErrorCode::SUCCESS, found.error_code) << found.message;
+  ASSERT_EQ(3U, found.serial.size());
+  for (const SingularityFinding& finding : { found.serial[0], found.serial[1], found.serial[2], found.parallel })
+  {
+    EXPECT_EQ(SingularityFinding::NONE, finding.status);
+    EXPECT_GT(finding.least.lower, 0.0);
+    EXPECT_LE(finding.least.lower, finding.least.upper);
+  }
+  EXPECT_EQ(Hypotheses::BOTH, found.hypotheses.aspect);
+  EXPECT_EQ("base_link", found.header.frame_id);
+}
+
+/// The stroke of the largest cube allows a parallel singularity elsewhere, against a sentence of the paper.
+TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
+{
+  Request request;
+  request.over = Request::JOINT_RANGES;
+  request.aspect = Request::BOTH;
+  for (Bounds& range : request.ranges)
+  {
+    range.lower = -0.3;
+    range.upper = 0.55;
+  }
+  const auto found = find(request);
+  ASSERT_EQ(ErrorCode::SUCCESS, found.error_code) << found.message;
+  ASSERT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
+  EXPECT_EQ(0.0, found.parallel.least.lower);
+  EXPECT_LE(found.parallel.min_corner.x, found.parallel.max_corner.x);
+  const auto markers = receive<visualization_msgs::MarkerArray>(NODE + "/singularity_markers")->markers;
+  ASSERT_GE(markers.size(), 3U);
+  EXPECT_EQ("singularity", markers[1].ns);
+  EXPECT_NEAR(found.parallel.min_corner.x, markers[markers.size() - 2].pose.position.x, 0.01);
+  EXPECT_EQ("parallel singularity", markers.back().text);
+}
+
+TEST(FindSingularities, takesRoundSolids)
+{
+  Request request = overCube(0.0);
+  request.solid.type = shape_msgs::SolidPrimitive::CYLINDER;
+  request.solid.dimensions = { 0.4, 0.2 };
+  EXPECT_EQ(SingularityFinding::NONE, find(request).parallel.status);
+  request.solid.type = shape_msgs::SolidPrimitive::SPHERE;
+  request.solid.dimensions = { 0.3 };
+  EXPECT_EQ(SingularityFinding::NONE, find(request).parallel.status);
+}
+
+TEST(FindSingularities, refusesWhatIsOutOfRange)
+{
+  struct Case
+  {
+    void (*spoil)(Request&);
+    const char* message;
+  };
+  const Case cases[] = {
+    { [](Request& r) { r.over = 4; }, "over = 4 must be REACHABLE = 0" },
+    { [](Request& r) { r.over = Request::REACHABLE; }, "solid and center must be empty and 0" },
+    { [](Request& r) { r.ranges[1].upper = 1.0; }, "ranges must be 0 .*unless over = JOINT_RANGES" },
+    { [](Request& r) { r.aspect = 3; }, "aspect = 3 must be OWN" },
+    { [](Request& r) { r.accuracy = -1.0; }, "accuracy = -1" },
+    { [](Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be at most" },
+    { [](Request& r) { r.solid.type = 4; }, "solid.type = 4 must be BOX = 1" },
+    { [](Request& r) { r.solid.dimensions.pop_back(); }, "solid.dimensions = .* must be three full sides" },
+    { [](Request& r) {
+       r.solid.dimensions = { 0.0, 0.0, 0.0 };
+     },
+      "solid.dimensions = \\(0, 0, 0\\) m must be" },
+    { [](Request& r) { r.solid.dimensions[0] = -1.0; }, "solid.dimensions = \\(-1, .* >= 0" },
+    { [](Request& r) { r.center.z = std::numeric_limits<double>::infinity(); }, "center = .* m must be finite" },
+  };
+  for (const Case& bad : cases)
+  {
+    Request request = overCube(0.5);
+    bad.spoil(request);
+    const auto response = find(request);
+    EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);
+    EXPECT_TRUE(std::regex_search(response.message, std::regex(bad.message)))
+        << "expected: " << bad.message << "\n     got: " << response.message;
+    EXPECT_TRUE(response.serial.empty());
+  }
+}
+}  // namespace test
+}  // namespace pkm_workspace
