@@ -36,6 +36,7 @@ const NamedCommand COMMANDS[] = {
   { "check", "whether every point of a given box is dextrous", makeCheck },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },
+  { "study", "the best machine of a family with one parameter", makeStudy },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
 };
 

@@ -39,6 +39,7 @@ std::unique_ptr<Command> makeLargest();
 std::unique_ptr<Command> makeCheck();
 std::unique_ptr<Command> makePave();
 std::unique_ptr<Command> makeCompare();
+std::unique_ptr<Command> makeStudy();
 std::unique_ptr<Command> makeUrdf();
 }  // namespace cli
 }  // namespace pkm_workspace

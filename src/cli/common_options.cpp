@@ -7,13 +7,20 @@ namespace pkm_workspace
 {
 namespace cli
 {
+namespace
+{
+constexpr const char* URDF_HELP = "URDF of the machine: three branches, cut at the platform";
+constexpr const char* RAILS_HELP =
+    "names of the three prismatic joints that move the machine; needed when the URDF has more than three";
+constexpr const char* TCP_LINKS_HELP =
+    "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide";
+}  // namespace
+
 void MachineOptions::declare(Options& options)
 {
-  options.text("urdf", path_, "FILE", "URDF of the machine: three branches, cut at the platform");
-  options.texts("rails", names_.rails, "JOINT JOINT JOINT",
-                "names of the three prismatic joints that move the machine; needed when the URDF has more than three");
-  options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK",
-                "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide");
+  options.text("urdf", path_, "FILE", URDF_HELP);
+  options.texts("rails", names_.rails, "JOINT JOINT JOINT", RAILS_HELP);
+  options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK", TCP_LINKS_HELP);
   options.require({ "urdf" });
   options.check({ "urdf", "rails", "tcp-links" }, [this](Problems& problems) {
     try
@@ -25,6 +32,45 @@ void MachineOptions::declare(Options& options)
       problems.push_back(reason.what());
     }
   });
+}
+
+void MachinesOptions::declare(Options& options)
+{
+  options.repeated("urdf", "FILE", URDF_HELP, [this](const Words& words) { requests_.push_back({ words[0], {} }); });
+  declareNames(options, "rails", "JOINT JOINT JOINT", RAILS_HELP, &UrdfOptions::rails);
+  declareNames(options, "tcp-links", "LINK LINK LINK", TCP_LINKS_HELP, &UrdfOptions::tcp_links);
+  options.check({}, [this](Problems& problems) {
+    for (const Request& request : requests_)
+      try
+      {
+        machines_.push_back(readUrdfFile(request.path, request.names));
+      }
+      catch (const std::invalid_argument& reason)
+      {
+        problems.push_back("--urdf " + request.path + ": " + reason.what());
+      }
+  });
+}
+
+void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
+                                   const std::string& help, Words UrdfOptions::*member)
+{
+  options.repeated(name, values, help + "; after the --urdf it is about", [this, member](const Words& words) {
+    if (requests_.empty())
+      throw std::invalid_argument("give it after the --urdf FILE that it is about");
+    Words& names = requests_.back().names.*member;
+    if (!names.empty())
+      throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
+    names = words;
+  });
+}
+
+Words MachinesOptions::warnings() const
+{
+  Words all;
+  for (const UrdfMachine& machine : machines_)
+    all.insert(all.end(), machine.warnings.begin(), machine.warnings.end());
+  return all;
 }
 
 void ShapeOptions::declare(Options& options, RegionQuery& query)

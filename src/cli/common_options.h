@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "options.h"
 #include "pkm_workspace/region/largest_region.h"
@@ -25,6 +26,32 @@ private:
   std::string path_;
   UrdfOptions names_;
   std::optional<UrdfMachine> urdf_;
+};
+
+/// The same for several machines: --urdf once for each of them, with --rails and --tcp-links of its own after it.
+class MachinesOptions
+{
+public:
+  void declare(Options& options);
+  /// In the order given. @pre the options have been parsed
+  const std::vector<UrdfMachine>& machines() const { return machines_; }
+  /// How many were asked for, read or not.
+  std::size_t count() const { return requests_.size(); }
+  /// What is in the URDFs and not used.
+  Words warnings() const;
+
+private:
+  struct Request
+  {
+    std::string path;
+    UrdfOptions names;
+  };
+
+  void declareNames(Options& options, const std::string& name, const std::string& values, const std::string& help,
+                    Words UrdfOptions::*member);
+
+  std::vector<Request> requests_;
+  std::vector<UrdfMachine> machines_;
 };
 
 /// --shape, --proportions, --ratio.

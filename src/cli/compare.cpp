@@ -29,7 +29,7 @@ Json jsonOf(const Singularities& found)
   return { { "serial", jsonOf(least(found.serial)) }, { "parallel", jsonOf(found.parallel) } };
 }
 
-Json jsonOf(const Study& study)
+Json jsonOf(const Comparison& study)
 {
   const bool found = study.region.size > 0.0;
   Json json = contextOf(study.machine, study.query.criterion);
@@ -65,12 +65,12 @@ Json jsonOf(const PaperRow& row)
 }
 
 /// Lines of one quantity for each machine, so that what is compared stands together.
-std::string table(const std::vector<Study>& studies)
+std::string table(const std::vector<Comparison>& studies)
 {
   std::vector<Words> rows = { { "quantity", "machine", "value", "scaled to size 1" } };
   std::vector<std::vector<Figure>> figures;
   std::size_t count = 0;
-  for (const Study& study : studies)
+  for (const Comparison& study : studies)
   {
     figures.push_back(figuresOf(study));
     count = std::max(count, figures.back().size());
@@ -83,10 +83,10 @@ std::string table(const std::vector<Study>& studies)
   return aligned(rows, Align::LEFT);
 }
 
-std::string singularities(const std::vector<Study>& studies)
+std::string singularities(const std::vector<Comparison>& studies)
 {
   std::vector<Words> rows = { { "singularities", "machine", "serial", "parallel" } };
-  for (const Study& study : studies)
+  for (const Comparison& study : studies)
     if (study.region.size > 0.0)
     {
       const std::string name = study.machine.name();
@@ -118,8 +118,7 @@ public:
 
   void declare(Options& options) override
   {
-    options.repeated("urdf", "FILE", "URDF of a machine: three branches, cut at the platform",
-                     [this](const std::string& path) { urdfs_.push_back(readUrdfFile(path)); });
+    machines_.declare(options);
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
     shape_.declare(options, query_);
     declareCriterion(options, query_.criterion);
@@ -127,7 +126,7 @@ public:
                    "largest difference between the proved size and its upper bound");
     declareBudget(options, query_.budget);
     options.check({ "urdf", "paper" }, [this](Problems& problems) {
-      if (paper_ != urdfs_.empty())
+      if (paper_ != (machines_.count() == 0))
         problems.push_back("give either --urdf FILE, once for each machine, or --paper");
     });
     options.check(
@@ -139,13 +138,7 @@ public:
         });
   }
 
-  Words warnings() const override
-  {
-    Words all;
-    for (const UrdfMachine& urdf : urdfs_)
-      all.insert(all.end(), urdf.warnings.begin(), urdf.warnings.end());
-    return all;
-  }
+  Words warnings() const override { return machines_.warnings(); }
 
   Answer answer() override
   {
@@ -156,13 +149,13 @@ public:
 private:
   Answer answerMachines()
   {
-    query_.budget.time_limit /= static_cast<double>(urdfs_.size());
-    std::vector<Study> studies;
+    query_.budget.time_limit /= static_cast<double>(machines_.count());
+    std::vector<Comparison> studies;
     Json json = { { "machines", Json::array() } };
     std::string regions;
-    for (const UrdfMachine& urdf : urdfs_)
+    for (const UrdfMachine& urdf : machines_.machines())
     {
-      studies.push_back(studyOf(urdf.machine, query_, VOLUME_ACCURACY));
+      studies.push_back(comparisonOf(urdf.machine, query_, VOLUME_ACCURACY));
       json["machines"].push_back(jsonOf(studies.back()));
       regions += wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() +
                          "': " + studies.back().region.message);
@@ -189,7 +182,7 @@ private:
                                "regions.") };
   }
 
-  std::vector<UrdfMachine> urdfs_;
+  MachinesOptions machines_;
   bool paper_ = false;
   RegionQuery query_;
   ShapeOptions shape_;

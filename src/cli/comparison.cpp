@@ -39,7 +39,7 @@ void addSingularities(const Singularities& found, const std::string& key, const 
 }
 }  // namespace
 
-Interval Study::largest(Interval JointRange::*part) const
+Interval Comparison::largest(Interval JointRange::*part) const
 {
   Interval most = region.joint_ranges[0].*part;
   for (const JointRange& range : region.joint_ranges)
@@ -47,9 +47,9 @@ Interval Study::largest(Interval JointRange::*part) const
   return most;
 }
 
-Study studyOf(const Machine& machine, const RegionQuery& query, double volume_accuracy)
+Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy)
 {
-  Study study{ machine, query, {} };
+  Comparison study{ machine, query, {} };
   study.query.budget.time_limit /= PARTS;
   const Budget& budget = study.query.budget;
   study.region = findLargestRegion(machine, study.query);
@@ -82,7 +82,7 @@ Interval Figure::scaled(double size) const
   return value.isBounded() ? value / unit : Interval(lower.lower(), value.upper());
 }
 
-std::vector<Figure> figuresOf(const Study& study)
+std::vector<Figure> figuresOf(const Comparison& study)
 {
   const LargestRegion& region = study.region;
   if (!(region.size > 0.0))
@@ -148,8 +148,7 @@ SingularityAnswer least(const std::array<SingularityAnswer, 3>& serial)
 
 Json toJson(const Interval& value)
 {
-  const auto end = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
-  return value.isEmpty() ? Json() : Json{ end(value.lower()), end(value.upper()) };
+  return value.isEmpty() ? Json() : Json{ finite(value.lower()), finite(value.upper()) };
 }
 
 std::string describe(const Interval& value)

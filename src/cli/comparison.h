@@ -14,7 +14,7 @@ namespace pkm_workspace
 namespace cli
 {
 /// What section 4.4 of the paper compares machines by.
-struct Study
+struct Comparison
 {
   Machine machine;
   RegionQuery query;
@@ -28,7 +28,7 @@ struct Study
 
 /// Finds the largest region, then what follows from it. The time limit is shared by all parts.
 /// @throws std::invalid_argument for a query that is not valid or has no bounded answer
-Study studyOf(const Machine& machine, const RegionQuery& query, double volume_accuracy);
+Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy);
 
 /// One number of a study.
 struct Figure
@@ -43,7 +43,7 @@ struct Figure
 };
 
 /// All numbers of a study, always in the same order; none without a region.
-std::vector<Figure> figuresOf(const Study& study);
+std::vector<Figure> figuresOf(const Comparison& study);
 
 /// "none", "undecided" or "at (x, y, z) m" for one kind of singularity.
 std::string verdictOn(const SingularityAnswer& answer);

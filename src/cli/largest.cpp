@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
-
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -14,32 +12,6 @@ namespace cli
 {
 namespace
 {
-const char* name(LargestRegion::Status status)
-{
-  switch (status)
-  {
-    case LargestRegion::Status::PROVEN:
-      return "proven";
-    case LargestRegion::Status::STOPPED:
-      return "stopped";
-    case LargestRegion::Status::NONE:
-      return "none";
-  }
-  throw std::logic_error("a status without a name");
-}
-
-Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
-{
-  Json json = Json::array();
-  for (std::size_t i = 0; i < 3; ++i)
-    json.push_back({ { "joint", machine.leg(static_cast<int>(i)).joint },
-                     { "lower", ranges[i].lower.lower() },
-                     { "upper", ranges[i].upper.upper() },
-                     { "stroke", ranges[i].stroke.upper() },
-                     { "across", ranges[i].across.upper() } });
-  return json;
-}
-
 Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegion& region)
 {
   const Shape& shape = *region.shape;
@@ -52,7 +24,7 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["dimensions"] = found ? Json(shape.dimensions(region.size)) : Json();
   json["size"] = region.size;
   json["size_upper_bound"] = region.size_upper_bound;
-  json["joint_ranges"] = found ? toJson(machine, region.joint_ranges) : Json::array();
+  json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
   json["boxes"] = region.boxes;
   json["verification_boxes"] = region.verification_boxes;
   json["seconds"] = region.seconds;

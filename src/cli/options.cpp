@@ -55,16 +55,13 @@ void Options::text(const std::string& name, std::string& target, const std::stri
 
 void Options::texts(const std::string& name, Words& target, const std::string& values, const std::string& help)
 {
-  add(name, values, help, [&target](const Words& words) {
-    target.clear();
-    std::transform(words.begin(), words.end(), std::back_inserter(target), readText);
-  });
+  add(name, values, help, [&target](const Words& words) { target = readTexts(words); });
 }
 
-void Options::repeated(const std::string& name, const std::string& value, const std::string& help,
-                       const std::function<void(const std::string&)>& read)
+void Options::repeated(const std::string& name, const std::string& values, const std::string& help,
+                       const std::function<void(const Words&)>& read)
 {
-  add(name, value, help + "; may be given several times", [read](const Words& words) { read(readText(words[0])); });
+  add(name, values, help + "; may be given several times", [read](const Words& words) { read(readTexts(words)); });
   options_.back().repeatable = true;
 }
 

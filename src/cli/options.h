@@ -29,9 +29,9 @@ public:
   void choice(const std::string& name, std::string& target, const Words& allowed, const std::string& help);
   void text(const std::string& name, std::string& target, const std::string& value, const std::string& help);
   void texts(const std::string& name, Words& target, const std::string& values, const std::string& help);
-  /// May be given several times, each time with one value. @p read may throw std::invalid_argument with the reason.
-  void repeated(const std::string& name, const std::string& value, const std::string& help,
-                const std::function<void(const std::string&)>& read);
+  /// May be given several times. @p read may throw std::invalid_argument with the reason.
+  void repeated(const std::string& name, const std::string& values, const std::string& help,
+                const std::function<void(const Words&)>& read);
   void number(const std::string& name, double& target, const Quantity& quantity, const std::string& help);
   void number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
               const std::string& help);

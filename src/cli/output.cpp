@@ -2,7 +2,9 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/version.h"
@@ -35,9 +37,40 @@ Json toJson(const Box& box)
   return { { "lower", toJson(box.lower) }, { "upper", toJson(box.upper) } };
 }
 
+Json finite(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
 Json toJson(BoxVerdict verdict)
 {
   return verdict == BoxVerdict::UNDECIDED ? Json() : Json(verdict == BoxVerdict::INSIDE);
+}
+
+std::string name(LargestRegion::Status status)
+{
+  switch (status)
+  {
+    case LargestRegion::Status::PROVEN:
+      return "proven";
+    case LargestRegion::Status::STOPPED:
+      return "stopped";
+    case LargestRegion::Status::NONE:
+      return "none";
+  }
+  throw std::logic_error("a status without a name");
+}
+
+Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
+{
+  Json json = Json::array();
+  for (std::size_t i = 0; i < 3; ++i)
+    json.push_back({ { "joint", machine.leg(static_cast<int>(i)).joint },
+                     { "lower", ranges[i].lower.lower() },
+                     { "upper", ranges[i].upper.upper() },
+                     { "stroke", ranges[i].stroke.upper() },
+                     { "across", ranges[i].across.upper() } });
+  return json;
 }
 
 bool isSolid(const Shape& shape)

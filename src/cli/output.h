@@ -8,7 +8,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/machine/machine.h"
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/largest_region.h"
 #include "values.h"
 
 namespace pkm_workspace
@@ -21,13 +21,20 @@ using Json = nlohmann::json;
 Json contextOf(const Machine& machine, const Criterion& criterion);
 Json toJson(const Eigen::Vector3d& v);
 Json toJson(const Box& box);
+/// null for an infinity.
+Json finite(double value);
 /// true for INSIDE, false for OUTSIDE, null for UNDECIDED.
 Json toJson(BoxVerdict verdict);
 
-/// "dextrous" or "reachable".
+/// One object for each joint: joint, lower, upper, stroke, across.
+Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges);
+
 /// Whether its volume is more than 0.
 bool isSolid(const Shape& shape);
+/// "dextrous" or "reachable".
 std::string name(Criterion::Set set);
+/// "proven", "stopped" or "none".
+std::string name(LargestRegion::Status status);
 /// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".
 std::string definition(const Criterion& criterion);
 /// "0.0123 s".

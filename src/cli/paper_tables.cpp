@@ -63,8 +63,8 @@ public:
 
   std::vector<PaperRow> run()
   {
-    const Study cube = studyOf(orthoglide(), query_, VOLUME_ACCURACY);
-    const Study square = studyOf(uranesxAt(0.0), query_, VOLUME_ACCURACY);
+    const Comparison cube = comparisonOf(orthoglide(), query_, VOLUME_ACCURACY);
+    const Comparison square = comparisonOf(uranesxAt(0.0), query_, VOLUME_ACCURACY);
     addTable1();
     addTable2();
     addRanges("Orthoglide", cube, { "0.181" }, { "0.825" });
@@ -138,7 +138,7 @@ private:
     return proved ? std::optional<bool>(true) : refuted ? std::optional<bool>(false) : std::nullopt;
   }
 
-  static Interval figure(const Study& study, const std::string& key, bool scaled)
+  static Interval figure(const Comparison& study, const std::string& key, bool scaled)
   {
     for (const Figure& figure : figuresOf(study))
       if (figure.key == key)
@@ -146,13 +146,13 @@ private:
     return Interval::entire();
   }
 
-  void addRanges(const std::string& machine, const Study& study, const Printed& across, const Printed& stroke)
+  void addRanges(const std::string& machine, const Comparison& study, const Printed& across, const Printed& stroke)
   {
     rows_.push_back(row("section 4.4", machine + ", Delta f [m]", across, figure(study, "across", false)));
     rows_.push_back(row("section 4.4", machine + ", Delta rho [m]", stroke, figure(study, "stroke", false)));
   }
 
-  void addTable3(const std::string& machine, const Study& study, const Printed& all, const Printed& cube,
+  void addTable3(const std::string& machine, const Comparison& study, const Printed& all, const Printed& cube,
                  const Printed& percent)
   {
     rows_.push_back(row("table 3", machine + ", workspace [m^3]", all, figure(study, "workspace_volume", false)));
@@ -161,7 +161,7 @@ private:
         row("table 3", machine + ", ratio [%]", percent, Interval(100.0) * figure(study, "volume_ratio", false)));
   }
 
-  void addTable4(const std::string& machine, const Study& study, const std::vector<Printed>& paper)
+  void addTable4(const std::string& machine, const Comparison& study, const std::vector<Printed>& paper)
   {
     const char* const names[] = { ", strut [m]", ", Delta rho [m]", ", workspace [m^3]" };
     const char* const keys[] = { "strut", "stroke", "workspace_volume" };
@@ -178,7 +178,7 @@ private:
                       verdict(answer.status == expected, answer.status != Status::UNDECIDED) });
   }
 
-  void addSingularities(const Study& orthoglide, const Study& uranesx)
+  void addSingularities(const Comparison& orthoglide, const Comparison& uranesx)
   {
     addSingularity("Orthoglide, parallel singularities within the strokes", false, orthoglide.in_ranges.parallel);
     addSingularity("Orthoglide, serial ones", false, least(orthoglide.in_ranges.serial));

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
@@ -105,6 +106,13 @@ std::string readText(const std::string& word)
   if (word.empty())
     throw std::invalid_argument("the text is empty");
   return word;
+}
+
+Words readTexts(const Words& words)
+{
+  Words texts;
+  std::transform(words.begin(), words.end(), std::back_inserter(texts), readText);
+  return texts;
 }
 
 Box readBox(const Words& words)

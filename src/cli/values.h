@@ -40,6 +40,7 @@ std::vector<double> readNumbers(const Words& words, const Quantity& quantity);
 std::int64_t readCount(const std::string& word, std::int64_t upper);
 std::string readChoice(const std::string& word, const Words& allowed);
 std::string readText(const std::string& word);
+Words readTexts(const Words& words);
 /// Six numbers X0 X1 Y0 Y1 Z0 Z1 [m] with X0 <= X1 and so on.
 Box readBox(const Words& words);
 }  // namespace cli

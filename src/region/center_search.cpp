@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pkm_workspace/region/containment.h"
 
@@ -19,7 +20,9 @@ constexpr std::size_t STARTS = 2;
 constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
 /// If none of these is, a region is certified that is this much smaller.
 constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
+/// Boxes that one region may take to be proved, and the share of all that are allowed.
 constexpr std::int64_t VERIFICATION_BOXES = 20000;
+constexpr std::int64_t VERIFICATIONS = 16;
 /// New witness points that one climb may learn from failed certificates.
 constexpr int LESSONS = 24;
 /// From so many boxes on the bounds of boxes are lowered on the way; a search that ends before has no use for them.
@@ -32,7 +35,8 @@ constexpr double LEAST_WIDTH = 1e-13;
 constexpr double LEAST_ACCURACY = 1e-12;
 }  // namespace
 
-CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known)
+CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known,
+                           std::int64_t verification_boxes)
   : query_(query)
   , test_(machine, query.criterion)
   , space_(centerSpace(machine, query))
@@ -42,10 +46,18 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , pool_(query.budget.threads)
   , scale_(machine.scale())
   , accuracy_(std::max(query.accuracy, LEAST_ACCURACY * scale_ / query.shape->halfExtents().maxCoeff()))
+  , most_verification_boxes_(verification_boxes > 0 ? verification_boxes : std::numeric_limits<std::int64_t>::max())
   , begin_(std::chrono::steady_clock::now())
   , zero_(machine.zero())
 {
   incumbent_.size = known;
+}
+
+void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
+{
+  for (const Eigen::Vector3d& point : points)
+    if (test_.classify(point) == BoxVerdict::OUTSIDE)
+      witnesses_.learn(point);
 }
 
 double CenterSearch::seconds() const
@@ -68,10 +80,11 @@ double CenterSearch::upperBound() const
 /// Makes the region the incumbent if it is larger and proved. @return a bad point that stands in the way
 std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
 {
-  if (candidate.size <= incumbent_.size)
+  if (candidate.size <= incumbent_.size || verification_boxes_ >= most_verification_boxes_)
     return std::nullopt;
+  const std::int64_t most = std::min(VERIFICATION_BOXES, most_verification_boxes_ / VERIFICATIONS + 1);
   const ContainmentResult proof =
-      checkContainment(test_, *query_.shape, candidate.center, candidate.size, VERIFICATION_BOXES, query_.budget.stop);
+      checkContainment(test_, *query_.shape, candidate.center, candidate.size, most, query_.budget.stop);
   verification_boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
   {

@@ -16,12 +16,17 @@ WitnessPoints::WitnessPoints(const Shape& shape)
   : shape_(shape), extremes_(shape.extremePoints().size()), of_shape_(shape.extremePoints())
 {}
 
-void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
+void WitnessPoints::learn(const Eigen::Vector3d& bad_point)
 {
   if (bad_.size() < MAX_BAD)
     bad_.push_back(bad_point);
   else
     bad_[next_bad_++ % MAX_BAD] = bad_point;
+}
+
+void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
+{
+  learn(bad_point);
   const auto place = nearestInside(shape_, (bad_point - center) / size, Eigen::Vector3d::Zero(), 1.0);
   if (place)
     learnPlace(*place);

@@ -20,8 +20,10 @@ OPTIONS = {
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box", "max-memory", "save", "resume"},
-    "compare": CRITERION | (BUDGET - {"progress"}) | COMMON | {"urdf", "paper", "shape", "proportions", "ratio",
-                                                               "accuracy"},
+    "compare": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON | {"paper", "shape", "proportions", "ratio",
+                                                                         "accuracy"},
+    "study": MACHINE | CRITERION | BUDGET | COMMON
+    | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

@@ -5,18 +5,19 @@
 import subprocess
 import unittest
 
-from pkm import ORTHOGLIDE, PKM, CommandTest, run
+from pkm import ORTHOGLIDE, PKM, URANESX, CommandTest, run
 
 EVALUATE = f"evaluate --urdf {ORTHOGLIDE} "
 LARGEST = f"largest --urdf {ORTHOGLIDE} "
 CHECK = f"check --urdf {ORTHOGLIDE} "
 PAVE = f"pave --urdf {ORTHOGLIDE} "
 COMPARE = f"compare --urdf {ORTHOGLIDE} "
+URANESX_STUDY = "study --machine uranesx --parameter R-r "
 
 # command line, and a regular expression for a line of standard error
 REFUSALS = [
     ("", "a command is missing"),
-    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, compare, urdf"),
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, compare, study, urdf"),
     ("-h", "'-h' is not a command"),
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),
@@ -93,6 +94,20 @@ REFUSALS = [
     (COMPARE + "--shape box", "--shape box: shape = box needs proportions"),
     (COMPARE + "--accuracy 0", "--accuracy 0: 0 is out of range; allowed: > 0 m"),
     ("compare --paper --psi-max 3", "--paper, --psi-max 3: .*leave out --psi-max"),
+    (COMPARE + "--rails a b c", "'a'"),
+    (COMPARE + "--tcp-links a b c", "'a'"),
+    (f"compare --rails a b c --urdf {ORTHOGLIDE}", "--rails a b c: give it after the --urdf FILE"),
+    (COMPARE + "--rails a b c --rails a b c", f"--rails a b c: given a second time for --urdf {ORTHOGLIDE}"),
+    ("study", "--range LO HI: the option is missing"),
+    ("study --range 0 1", "give either --machine and --parameter, or two machines"),
+    ("study --machine uranesx --range 0 1", "--machine uranesx: give either --machine and --parameter"),
+    (f"study --range 0 1 --urdf {ORTHOGLIDE}", "--urdf .*: give either"),
+    (URANESX_STUDY + f"--range 0 1 --urdf {ORTHOGLIDE}", "--machine uranesx, --parameter R-r, --urdf .*: give either"),
+    (URANESX_STUDY + "--range 0.5 0.3", "--range 0.5 0.3: LO is larger than HI"),
+    (URANESX_STUDY + "--range 0.3 1.5", "--range 0.3 1.5, .*: R - r = .* must lie between 0 and the strut length"),
+    (URANESX_STUDY + "--range 0.3 0.5 --shape cylinder --ratio 0.5 1", "--ratio 0.5 1: .*one shape"),
+    (URANESX_STUDY + "--range 0.3 0.5 --shape box --proportions 0 0 1", "along the rails can be as long as one likes"),
+    (f"study --range 0 1 --urdf {ORTHOGLIDE} --urdf {URANESX}", "opposite working modes"),
     ("urdf", r"--machine orthoglide\S*\|uranesx: the option is missing"),
     ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, "),
     ("urdf --machine orthoglide --length -1", "--length -1: -1 is out of range; allowed: > 0 m"),

@@ -23,8 +23,15 @@ class CenterSearch
 {
 public:
   /// @param known only regions larger than this are looked for; where there is none, the size found is 0
+  /// @param verification_boxes most boxes that proofs of regions may take, all together; 0 = no limit
   /// @throws std::invalid_argument when the centers or the size are unbounded
-  CenterSearch(const Machine& machine, const RegionQuery& query, double known = 0.0);
+  CenterSearch(const Machine& machine, const RegionQuery& query, double known = 0.0,
+               std::int64_t verification_boxes = 0);
+
+  /// Points that may be bad, from searches for like machines [m]: those that are proved to be bad are learnt.
+  void suspect(const std::vector<Eigen::Vector3d>& points);
+  /// Points that are proved to violate the criterion, as far as they are kept [m].
+  const std::vector<Eigen::Vector3d>& badPoints() const { return witnesses_.bad(); }
 
   /// Runs to the end or to the budget. Everything is filled in but the joint ranges.
   LargestRegion run();
@@ -74,6 +81,7 @@ private:
   ThreadPool pool_;
   double scale_;     ///< the longest strut [m]
   double accuracy_;  ///< the query's, or the finest that doubles are tried at
+  std::int64_t most_verification_boxes_;
   Candidate incumbent_;
   bool found_ = false;            ///< whether the incumbent is more than what was known
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
+#include "command.h"
+#include "common_options.h"
+#include "comparison.h"
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/study/best_parameter.h"
+#include "progress.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+Json toJson(const std::vector<StudyPart>& candidates)
+{
+  Json json = Json::array();
+  for (const StudyPart& part : candidates)
+    json.push_back({ { "lower", part.parameters.lower() },
+                     { "upper", part.parameters.upper() },
+                     { "size_upper_bound", finite(part.size_upper_bound) } });
+  return json;
+}
+
+Json toJson(const std::vector<BestParameter>& parts)
+{
+  Json json = Json::array();
+  for (const BestParameter& part : parts)
+    json.push_back({ { "lower", part.range.lower() },
+                     { "upper", part.range.upper() },
+                     { "parameter", part.region.size > 0.0 ? Json(part.parameter) : Json() },
+                     { "size", part.region.size },
+                     { "size_upper_bound", finite(part.region.size_upper_bound) } });
+  return json;
+}
+
+class Study : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Finds the machine with the largest region in a family of machines that differ by one parameter: the "
+           "UraneSX by R - r or by the paper's lambda, or all machines on the way from one URDF (share 0) to another "
+           "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all "
+           "machines of the range, and outside of which parameters no machine has a larger region. With --parts, also "
+           "the bracket of the largest size in each of so many parts of the range. Ctrl-C ends it with what is proved. "
+           "With --json: status, parameter (of the best machine), center, dimensions, size, size_upper_bound, "
+           "joint_ranges as of pkm largest; candidates: lower, upper and size_upper_bound of the parameters that may "
+           "have a larger region; parts: lower, upper, and parameter, size, size_upper_bound in each; boxes, seconds, "
+           "message.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm study --machine uranesx --parameter R-r --range 0.3 0.5 --shape square --accuracy 1e-4",
+             "pkm study --machine uranesx --parameter lambda --range 0 0.2 --shape square --parts 20 --json",
+             "pkm study --urdf orthoglide.urdf --urdf orthoglide.urdf --range 0 1 --accuracy 0.01" };
+  }
+
+  void declare(Options& options) override
+  {
+    options.choice("machine", machine_, { "uranesx" }, "a machine of the catalogue, with --parameter");
+    options.choice("parameter", parameter_, { "R-r", "lambda" },
+                   "of the uranesx: R - r in metres for L = 1 m, or the paper's lambda in metres, R = 7/13 m + lambda");
+    machines_.declare(options);
+    options.range("range", range_, Quantity(), "least and largest parameter, in metres; of a share, without unit");
+    options.require({ "range" });
+    shape_.declare(options, query_.region);
+    declareCriterion(options, query_.region.criterion);
+    options.number("accuracy", query_.region.accuracy, LENGTH_POSITIVE,
+                   "largest difference between the best machine's proved size and the upper bound of all");
+    options.count("parts", parts_, 100000, "parts of the range whose largest sizes are told too; without it, none");
+    declareBudget(options, query_.region.budget);
+    options.flag("progress", progress_, PROGRESS_HELP);
+    declareConditions(options);
+  }
+
+  Words warnings() const override { return machines_.warnings(); }
+
+  Answer answer() override
+  {
+    Progress progress(progress_);
+    query_.region.budget.stop = stopOnSignal();
+    if (parts_ > 0)
+      query_.region.budget.time_limit /= 2.0;
+    query_.progress = [&progress, this](const StudyProgress& state) {
+      progress.tell(state.seconds, query_.family.parameter + " " + nearly(state.parameter) + ", size " +
+                                       describe(Interval(state.size, state.size_upper_bound)) + ", " +
+                                       std::to_string(state.parts_open) + " parts open");
+    };
+    const BestParameter best = findBestParameter(query_);
+    std::vector<BestParameter> parts;
+    if (parts_ > 0)
+      parts = bestOfParts(query_, parts_);
+    return { json(best, parts), print(best, parts) };
+  }
+
+private:
+  void declareConditions(Options& options)
+  {
+    options.check({ "machine", "parameter", "urdf" }, [this](Problems& problems) {
+      const bool of_catalogue = !machine_.empty() && !parameter_.empty() && machines_.count() == 0;
+      const bool between = machine_.empty() && parameter_.empty() && machines_.count() == 2;
+      if (!of_catalogue && !between)
+        problems.push_back("give either --machine and --parameter, or two machines with --urdf FILE --urdf FILE");
+    });
+    options.check({ "shape", "ratio" }, [this](Problems& problems) {
+      if (query_.region.ratio)
+        problems.push_back("a study compares regions of one shape: give a cylinder the same ratio twice");
+    });
+    options.check({ "range", "machine", "parameter", "urdf", "joint-limits" }, [this](Problems& problems) {
+      try
+      {
+        makeFamily();
+      }
+      catch (const std::invalid_argument& reason)
+      {
+        problems.push_back(reason.what());
+      }
+    });
+  }
+
+  /// Also makes the machines at both ends of the range, to refuse what is beyond the family.
+  void makeFamily()
+  {
+    query_.range = Interval(range_->lower, range_->upper);
+    if (machines_.machines().size() == 2)
+      query_.family = familyBetween(machines_.machines()[0].machine, machines_.machines()[1].machine,
+                                    query_.region.criterion.joint_limits);
+    else if (!parameter_.empty())
+      query_.family = parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda();
+    else
+      return;
+    query_.family.at(Interval(range_->lower));
+    query_.family.at(Interval(range_->upper));
+  }
+
+  Machine bestMachine(const BestParameter& best) const { return query_.family.at(Interval(best.parameter)); }
+
+  Json json(const BestParameter& best, const std::vector<BestParameter>& parts) const
+  {
+    const LargestRegion& region = best.region;
+    const bool found = region.size > 0.0;
+    const Machine machine = bestMachine(best);
+    Json json = contextOf(machine, query_.region.criterion);
+    json["family"] = { { "parameter", query_.family.parameter }, { "unit", query_.family.unit } };
+    json["range"] = { query_.range.lower(), query_.range.upper() };
+    json["shape"] = region.shape->name();
+    json["accuracy"] = query_.region.accuracy;
+    json["status"] = name(region.status);
+    json["parameter"] = found ? Json(best.parameter) : Json();
+    json["center"] = found ? cli::toJson(region.center) : Json();
+    json["dimensions"] = found ? Json(region.shape->dimensions(region.size)) : Json();
+    json["size"] = region.size;
+    json["size_upper_bound"] = finite(region.size_upper_bound);
+    json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
+    json["candidates"] = toJson(best.candidates);
+    json["parts"] = toJson(parts);
+    json["boxes"] = region.boxes;
+    json["seconds"] = region.seconds;
+    json["message"] = region.message;
+    return json;
+  }
+
+  std::string print(const BestParameter& best, const std::vector<BestParameter>& parts) const
+  {
+    const LargestRegion& region = best.region;
+    const std::string unit = query_.family.unit.empty() ? "" : " " + query_.family.unit;
+    const std::string parameter = query_.family.parameter;
+    std::vector<Words> rows = { { "status", name(region.status) + " (" + region.message + ")" } };
+    if (region.size > 0.0)
+      rows.push_back({ parameter, exact(best.parameter) + unit });
+    rows.push_back({ region.shape->sizeMeaning(), describe(Interval(region.size, region.size_upper_bound)) });
+    if (region.size > 0.0)
+      rows.push_back({ "center", cli::describe(region.center) });
+    for (const StudyPart& part : best.candidates)
+      rows.push_back(
+          { "larger at most at", describe(part.parameters) + unit + ", below " + roundedUp(part.size_upper_bound, 9) });
+    rows.push_back({ "effort", std::to_string(region.boxes) + " boxes of centers, " + seconds(region.seconds) });
+    return "Largest " + region.shape->name() + " of a machine with " + parameter + " from " +
+           exact(query_.range.lower()) + " to " + exact(query_.range.upper()) + unit + "\n\n" +
+           aligned(rows, Align::LEFT) + "\n" + table(parts) + wrapped(proof(best)) +
+           wrapped(definition(query_.region.criterion));
+  }
+
+  std::string table(const std::vector<BestParameter>& parts) const
+  {
+    if (parts.empty())
+      return "";
+    std::vector<Words> rows = { { query_.family.parameter + " from", "to", "largest at", "size", "upper bound" } };
+    for (const BestParameter& part : parts)
+    {
+      const LargestRegion& region = part.region;
+      const int decimals = decimalsFor(region.size, region.size_upper_bound);
+      rows.push_back({ exact(part.range.lower()), exact(part.range.upper()),
+                       region.size > 0.0 ? nearly(part.parameter, 9) : "-", roundedDown(region.size, decimals),
+                       roundedUp(region.size_upper_bound, decimals) });
+    }
+    return aligned(rows, Align::RIGHT) + "\n";
+  }
+
+  std::string proof(const BestParameter& best) const
+  {
+    const std::string shape = best.region.shape->name();
+    if (best.region.size == 0.0)
+      return "Proved: no machine of the range has a " + shape + " of a size above the upper bound.";
+    return "Proved: the machine with this parameter has the " + shape + " with this center and the lower size; no " +
+           "machine of the range has one above the upper bound; and only where it is said above may a machine have "
+           "one " +
+           "that is larger than the lower size.";
+  }
+
+  std::string machine_;
+  std::string parameter_;
+  MachinesOptions machines_;
+  std::optional<RatioRange> range_;
+  StudyQuery query_;
+  ShapeOptions shape_;
+  int parts_ = 0;
+  bool progress_ = false;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeStudy()
+{
+  return std::make_unique<Study>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/study/best_parameter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <stdexcept>
+
+#include "pkm_workspace/region/center_search.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+/// Boxes of centers for one look at a part before it is rather divided: so many more with each division.
+constexpr std::int64_t LOOK = 64;
+/// Boxes that proofs of regions of one machine may take, and those of regions that all machines of a part have in
+/// common: so many more with each division.
+constexpr std::int64_t VERIFICATION = 64000;
+constexpr std::int64_t COMMON_VERIFICATION = 512;
+/// Bad points of earlier looks that are tried in the next ones: the latest.
+constexpr std::size_t SUSPECTS = 16;
+/// Regions are looked for to this share of the accuracy; the other part is for the parameters in between.
+constexpr double SHARE = 0.5;
+/// Machines at equal distances that are tried first, and how often the distance from the best is then halved.
+constexpr int STARTS = 16;
+constexpr int HALVINGS = 24;
+/// Parts narrower than this, relative to the largest parameter, are not divided further: the last look takes so many
+/// times the boxes of the first.
+constexpr double LEAST_WIDTH = 1e-14;
+constexpr std::int64_t LAST_LOOK = 512;
+
+class ParameterSearch
+{
+public:
+  explicit ParameterSearch(const StudyQuery& query) : query_(query), begin_(std::chrono::steady_clock::now())
+  {
+    best_.region.shape = query.region.shape;
+  }
+
+  BestParameter run()
+  {
+    climb();
+    open_.push({ query_.range, INF });
+    while (!open_.empty() && open_.top().bound > target() && !isOver())
+    {
+      const Part part = open_.top();
+      open_.pop();
+      settle(part);
+      tellProgress();
+    }
+    return result();
+  }
+
+private:
+  struct Part
+  {
+    Interval parameters;
+    double bound;       ///< certified: no machine of the part has a larger region
+    int divisions = 0;  ///< of the range
+    bool operator<(const Part& other) const
+    {
+      return bound < other.bound || (bound == other.bound && parameters.width() < other.parameters.width());
+    }
+  };
+
+  struct Effort
+  {
+    std::int64_t boxes;               ///< of centers
+    std::int64_t verification_boxes;  ///< for proofs of regions
+  };
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  const Budget& budget() const { return query_.region.budget; }
+  double target() const { return rounding::add(best_.region.size, query_.region.accuracy).lower; }
+
+  bool isOver() const
+  {
+    return budget().isOver(seconds()) || (budget().max_boxes > 0 && best_.region.boxes >= budget().max_boxes);
+  }
+
+  /// Looks for regions larger than a size with what is left of the budget; one that is the largest so far is kept,
+  /// with the parameter given. @return the certified upper bound
+  double search(const Machine& machine, double parameter, double known, Effort effort)
+  {
+    RegionQuery query = query_.region;
+    query.accuracy *= SHARE;
+    query.progress = nullptr;
+    query.budget.threads = 1;  // threads would be started anew for each of these short searches
+    if (query.budget.time_limit > 0.0)
+      query.budget.time_limit = std::max(1e-9, query.budget.time_limit - seconds());
+    query.budget.max_boxes = effort.boxes;
+    if (budget().max_boxes > 0)
+      query.budget.max_boxes =
+          std::max<std::int64_t>(1, std::min(effort.boxes, budget().max_boxes - best_.region.boxes));
+    CenterSearch search(machine, query, std::max(0.0, known), effort.verification_boxes);
+    search.suspect(suspects_);
+    const LargestRegion found = search.run();
+    remember(search.badPoints());
+    best_.region.boxes += found.boxes;
+    best_.region.verification_boxes += found.verification_boxes;
+    if (found.size > best_.region.size)
+    {
+      best_.parameter = parameter;
+      best_.region.size = found.size;
+      best_.region.center = found.center;
+    }
+    return found.size_upper_bound;
+  }
+
+  /// What is bad for a machine is often bad for its neighbours.
+  void remember(const std::vector<Eigen::Vector3d>& bad_points)
+  {
+    for (const Eigen::Vector3d& point : bad_points)
+      if (std::find(suspects_.begin(), suspects_.end(), point) == suspects_.end())
+        suspects_.push_back(point);
+    if (suspects_.size() > SUSPECTS)
+      suspects_.erase(suspects_.begin(), suspects_.end() - SUSPECTS);
+  }
+
+  void lookAtMachine(double parameter, int divisions = 0)
+  {
+    search(query_.family.at(Interval(parameter)), parameter, best_.region.size,
+           { LOOK, VERIFICATION * (1 + divisions) });
+    tellProgress();
+  }
+
+  /// A good machine first makes all proofs short (design, section 3, item 5). Both ends are among those tried, so that
+  /// a range beyond the family is refused.
+  void climb()
+  {
+    const double lower = query_.range.lower();
+    const double upper = query_.range.upper();
+    best_.parameter = lower;
+    for (int k = 0; k <= STARTS; ++k)
+      lookAtMachine(k == STARTS ? upper : lower + k * ((upper - lower) / STARTS));
+    double distance = (upper - lower) / STARTS;
+    for (int k = 0; k < HALVINGS && !isOver(); ++k)
+    {
+      distance *= 0.5;
+      const double center = best_.parameter;
+      for (const double parameter : { center - distance, center + distance })
+        if (query_.range.contains(parameter))
+          lookAtMachine(parameter);
+    }
+  }
+
+  /// Nothing where the machines of the part have too little in common to be told as one.
+  std::optional<Machine> machineOf(const Interval& parameters) const
+  {
+    try
+    {
+      return query_.family.at(parameters);
+    }
+    catch (const std::invalid_argument&)
+    {
+      return std::nullopt;
+    }
+  }
+
+  bool isNarrow(const Interval& parameters) const
+  {
+    return parameters.width() <= LEAST_WIDTH * query_.range.magnitude();
+  }
+
+  /// Lowers the bound to the best size if it can, otherwise to the middle between the two if it can.
+  double boundOf(const Part& part)
+  {
+    const auto machine = machineOf(part.parameters);
+    if (!machine)
+      return part.bound;
+    const double middle = part.parameters.mid();
+    const double below = SHARE * query_.region.accuracy;
+    const double size = best_.region.size;
+    const std::int64_t times = isNarrow(part.parameters) ? LAST_LOOK : 1 + part.divisions;
+    const Effort effort{ LOOK * times, COMMON_VERIFICATION * times };
+    const double bound = std::min(part.bound, search(*machine, middle, size - below, effort));
+    if (bound <= size)
+      return bound;
+    return std::min(bound, search(*machine, middle, 0.5 * (size + bound) - below, effort));
+  }
+
+  void settle(const Part& part)
+  {
+    const double bound = boundOf(part);
+    if (bound <= target() || isNarrow(part.parameters))
+    {
+      closed_.push_back({ part.parameters, bound });
+      return;
+    }
+    const double middle = part.parameters.mid();
+    lookAtMachine(middle, part.divisions);
+    open_.push({ { part.parameters.lower(), middle }, bound, part.divisions + 1 });
+    open_.push({ { middle, part.parameters.upper() }, bound, part.divisions + 1 });
+  }
+
+  double upperBound() const
+  {
+    double bound = open_.empty() ? 0.0 : open_.top().bound;
+    for (const Part& part : closed_)
+      bound = std::max(bound, part.bound);
+    return std::max(bound, best_.region.size);
+  }
+
+  void tellProgress()
+  {
+    const double now = seconds();
+    if (!query_.progress || now < next_progress_)
+      return;
+    query_.progress({ best_.region.size, best_.parameter, upperBound(), open_.size(), now });
+    next_progress_ = now + 0.1;
+  }
+
+  BestParameter result()
+  {
+    const bool stopped = isOver();
+    best_.region.size_upper_bound = upperBound();
+    best_.region.seconds = seconds();
+    conclude(best_.region, query_.region.accuracy, stopped);
+    for (; !open_.empty(); open_.pop())
+      closed_.push_back(open_.top());
+    std::sort(closed_.begin(), closed_.end(),
+              [](const Part& a, const Part& b) { return a.parameters.lower() < b.parameters.lower(); });
+    for (const Part& part : closed_)
+      addCandidate({ part.parameters, part.bound });
+    best_.range = query_.range;
+    if (best_.region.size > 0.0)
+      best_.region.joint_ranges = jointRanges(query_.family.at(Interval(best_.parameter)), *best_.region.shape,
+                                              best_.region.center, best_.region.size);
+    return best_;
+  }
+
+  void addCandidate(const StudyPart& part)
+  {
+    if (part.size_upper_bound <= best_.region.size)
+      return;
+    std::vector<StudyPart>& candidates = best_.candidates;
+    if (candidates.empty() || candidates.back().parameters.upper() < part.parameters.lower())
+      candidates.push_back(part);
+    StudyPart& last = candidates.back();
+    last.parameters = hull(last.parameters, part.parameters);
+    last.size_upper_bound = std::max(last.size_upper_bound, part.size_upper_bound);
+  }
+
+  const StudyQuery& query_;
+  std::priority_queue<Part> open_;
+  std::vector<Part> closed_;
+  std::vector<Eigen::Vector3d> suspects_;
+  BestParameter best_;
+  std::chrono::steady_clock::time_point begin_;
+  double next_progress_ = 0.1;
+};
+}  // namespace
+
+void StudyQuery::validate(Problems& problems) const
+{
+  if (!family.at)
+    problems.push_back("a family of machines is missing");
+  if (range.isEmpty() || !range.isBounded())
+    problems.push_back("the range of the parameter must be two finite numbers, the least one first");
+  if (region.ratio)
+    problems.push_back("a study compares regions of one shape: a cylinder needs one ratio");
+  region.validate(problems);
+}
+
+BestParameter findBestParameter(const StudyQuery& query)
+{
+  return ParameterSearch(validated(query)).run();
+}
+}  // namespace pkm_workspace

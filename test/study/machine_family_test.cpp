@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/study/machine_family.h"
+
+#include <gtest/gtest.h>
+
+#include "pkm_workspace/machine/catalogue.h"
+#include "support/expect_throw.h"
+#include "support/machines.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+void expectEnclosed(const Machine& inner, const Machine& outer)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_TRUE(inner.leg(i).length.isSubsetOf(outer.leg(i).length));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      EXPECT_TRUE(inner.leg(i).origin[k].isSubsetOf(outer.leg(i).origin[k]));
+      EXPECT_TRUE(inner.leg(i).axis[k].isSubsetOf(outer.leg(i).axis[k]));
+      EXPECT_TRUE(inner.leg(i).platform[k].isSubsetOf(outer.leg(i).platform[k]));
+    }
+  }
+}
+}  // namespace
+
+TEST(MachineFamily, aSetOfParametersEnclosesItsMachines)
+{
+  for (const MachineFamily& family :
+       { uranesxByRadius(), uranesxByLambda(), familyBetween(orthoglide(), test::crooked(1)) })
+    for (const double lower : { 0.25, 0.3, 0.34 })
+      for (const double share : { 0.0, 0.3, 1.0 })
+        expectEnclosed(family.at(Interval(lower + share * 0.01)), family.at(Interval(lower, lower + 0.01)));
+}
+
+TEST(MachineFamily, uranesxIsThatOfTheCatalogue)
+{
+  EXPECT_EQ(uranesxByLambda().at(Interval(0.0)).geometryHash(), uranesx().geometryHash());
+  const Machine by_radius = uranesxByRadius(2.0).at(Interval(0.75));
+  EXPECT_EQ(by_radius.geometryHash(), uranesx(Interval(0.75), Interval(0.0), 2.0).geometryHash());
+}
+
+TEST(MachineFamily, bothEndsAreTheGivenMachines)
+{
+  const Machine first = orthoglide();
+  const Machine last = test::crooked(2);
+  const MachineFamily family = familyBetween(first, last);
+  EXPECT_EQ(family.at(Interval(0.0)).geometryHash(), first.geometryHash());
+  EXPECT_EQ(family.at(Interval(1.0)).geometryHash(), last.geometryHash());
+  const Machine middle = family.at(Interval(0.5));
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(squaredNorm(middle.leg(i).axis).contains(1.0));
+}
+
+TEST(MachineFamily, whatHasNoWayBetweenIsRefused)
+{
+  test::expectThrow<std::invalid_argument>([] { familyBetween(orthoglide(), uranesx()); }, "opposite working modes");
+  const Machine limited = test::limited(orthoglide());
+  test::expectThrow<std::invalid_argument>([&] { familyBetween(orthoglide(), limited, true); },
+                                           "rail_x(.|\n)*rail_y(.|\n)*rail_z.* different joint limits");
+  EXPECT_FALSE(familyBetween(orthoglide(), limited).at(Interval(0.0, 1.0)).hasJointLimits());
+  EXPECT_TRUE(familyBetween(limited, limited, true).at(Interval(0.0, 1.0)).hasJointLimits());
+}
+}  // namespace pkm_workspace
