@@ -63,7 +63,7 @@ public:
     }
   }
 
-  void look(const PathPiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
+  void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
 
   void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                       std::size_t count, NecessaryForms* results) const override

@@ -50,7 +50,7 @@ inline AffineForm<double> laneOf(const AffineForm<Pack<W>>& form, int lane)
 
 /// One of the boxes of each piece.
 template <int W>
-inline SkewBox<Pack<W>> gather(const PathPiece* pieces, SkewBox<double> PathPiece::*box, std::size_t count)
+inline SkewBox<Pack<W>> gather(const CurvePiece* pieces, SkewBox<double> CurvePiece::*box, std::size_t count)
 {
   double numbers[13][W];
   for (std::size_t lane = 0; lane < W; ++lane)

@@ -54,7 +54,7 @@ struct Piece
     tangent = edges.col(0).normalized();
   }
 
-  PathPiece asPathPiece() const { return { skewBox(center, edges), skewBox(tangent, Matrix3d::Zero()) }; }
+  CurvePiece asPathPiece() const { return { skewBox(center, edges), skewBox(tangent, Matrix3d::Zero()) }; }
   Vector3d point(const Vector3d& delta) const { return center + edges * delta; }
 };
 
@@ -112,7 +112,7 @@ TEST(PathPiece, verdictsAgreeWithTheOracle)
       for (int k = 0; k < cases(300); ++k)
       {
         const Piece piece(machine, random);
-        const PathPiece path_piece = piece.asPathPiece();
+        const CurvePiece path_piece = piece.asPathPiece();
         BoxVerdict verdict;
         test.kernel().look(&path_piece, 1, &verdict, nullptr);
         ++found[static_cast<std::size_t>(verdict)];
@@ -135,7 +135,7 @@ TEST(PathPiece, motionsHoldEveryPoint)
     for (int k = 0; k < cases(300); ++k)
     {
       const Piece piece(machine, random);
-      const PathPiece path_piece = piece.asPathPiece();
+      const CurvePiece path_piece = piece.asPathPiece();
       BoxVerdict verdict;
       PieceMotion motion;
       test.kernel().look(&path_piece, 1, &verdict, &motion);
@@ -165,7 +165,7 @@ TEST(PathPiece, motionsAreTightToSecondOrder)
       Piece piece(machine, random);
       const double length = 1e-4 * machine.scale();
       piece.edges << length * piece.tangent, Vector3d::Zero(), Vector3d::Zero();
-      const PathPiece path_piece = piece.asPathPiece();
+      const CurvePiece path_piece = piece.asPathPiece();
       BoxVerdict verdict;
       PieceMotion motion;
       test.kernel().look(&path_piece, 1, &verdict, &motion);
@@ -190,7 +190,7 @@ TEST(PathPiece, motionsAreTightToSecondOrder)
 TEST(PathPiece, coincidingFactorsAreBoundedTightly)
 {
   const BoxTest test(orthoglide(), Criterion());  // at its zero all three factors are 1
-  const PathPiece piece{ skewBox(Vector3d::Zero(), Matrix3d::Zero()), skewBox(Vector3d::UnitX(), Matrix3d::Zero()) };
+  const CurvePiece piece{ skewBox(Vector3d::Zero(), Matrix3d::Zero()), skewBox(Vector3d::UnitX(), Matrix3d::Zero()) };
   BoxVerdict verdict;
   PieceMotion motion;
   test.kernel().look(&piece, 1, &verdict, &motion);
@@ -210,7 +210,7 @@ TEST(PathPiece, everyKernelSaysTheSameInEveryPlace)
   {
     const MachineModel<double> model(machine, Criterion());
     RandomBoxes random(SEED);
-    std::vector<PathPiece> pieces;
+    std::vector<CurvePiece> pieces;
     while (pieces.size() < MOST)
       pieces.push_back(Piece(machine, random).asPathPiece());
     const auto kernels = boxKernels(model);

@@ -51,7 +51,7 @@ public:
   /// One look at each piece as a whole: its verdict as that of a box, and what the machine does on it.
   /// @param motions one for each piece, or nullptr; all numbers where a strut is not proved to reach, with the margin
   /// that psi_max asks for
-  virtual void look(const PathPiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
+  virtual void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
   /// The necessary forms at the centers' box, moved by size * offset for each offset.
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                               std::size_t count, NecessaryForms* results) const = 0;

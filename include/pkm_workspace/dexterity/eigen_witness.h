@@ -119,42 +119,66 @@ struct Basis
   std::array<Vector<Real>, 3> vector;
 };
 
+/// Swaps two pairs where the first one's value is the larger.
+template <class Real>
+inline void order(Basis<Real>& basis, std::size_t i, std::size_t j)
+{
+  const auto wrong = basis.value[j] < basis.value[i];
+  const auto swap = [&wrong](Real& a, Real& b) {
+    const Real before = a;
+    a = select(wrong, b, a);
+    b = select(wrong, before, b);
+  };
+  swap(basis.value[i], basis.value[j]);
+  for (std::size_t k = 0; k < 3; ++k)
+    swap(basis.vector[i][k], basis.vector[j][k]);
+}
+
 template <class Real>
 inline Vector<Real> combined(const Real& s, const Vector<Real>& a, const Real& t, const Vector<Real>& b)
 {
   return { s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2] };
 }
 
-/// The least pair, and in the plane across it those of a 2x2 matrix.
+/// Turns two vectors in their plane until M has no entry for both (Jacobi), by at most 45 degrees.
+template <class Real>
+inline void diagonalise(const Symmetric<Real>& m, Vector<Real>& u, Vector<Real>& v)
+{
+  using std::abs;
+  using std::sqrt;
+  const Real gap = product(v, m, v) - product(u, m, u);
+  const Real off = Real(2) * product(u, m, v);
+  const Real size = abs(gap) + sqrt(gap * gap + off * off) + Real(1e-300);
+  const Real tangent = select(gap < Real(0), -off, off) / size;
+  const Real cosine = Real(1) / sqrt(Real(1) + tangent * tangent);
+  const Real sine = cosine * tangent;
+  const Vector<Real> before = u;
+  u = combined(cosine, before, -sine, v);
+  v = combined(sine, before, cosine, v);
+}
+
+/// All eigenpairs, to about 1e-13 of the largest one: the vector of the least one and any two across it, turned.
 template <class Real>
 inline Basis<Real> basisOf(const Symmetric<Real>& m)
 {
   using std::sqrt;
   Basis<Real> basis;
-  const auto least = leastEigenpair(m);
-  const Vector<Real> any = across(least.vector);
-  const auto lies_across = dot(any, any) > Real(0.25);
-  const Vector<Real> other = cross(least.vector, Vector<Real>{ Real(0), Real(0), Real(1) });
-  Vector<Real> a;
+  auto& [first, second, third] = basis.vector;
+  first = leastEigenpair(m).vector;
+  second = across(first);
+  const Real scale = Real(1) / sqrt(dot(second, second));
+  for (auto& component : second)
+    component = component * scale;
+  third = cross(first, second);
+  diagonalise(m, second, third);
+  diagonalise(m, first, third);
+  diagonalise(m, first, second);
+  diagonalise(m, second, third);
   for (std::size_t k = 0; k < 3; ++k)
-    a[k] = select(lies_across, any[k], other[k]);
-  const Real scale = Real(1) / sqrt(dot(a, a));
-  a = combined(scale, a, Real(0), a);
-  const Vector<Real> b = cross(least.vector, a);
-  const Real p = product(a, m, a), q = product(b, m, b), r = product(a, m, b);
-  const Real half_gap = Real(0.5) * (p - q);
-  const Real root = sqrt(half_gap * half_gap + r * r);
-  // the upper vector is (half_gap + root, r) or (r, root - half_gap): the one without cancellation
-  const auto first = half_gap > Real(0);
-  const Real x = select(first, half_gap + root, r);
-  const Real y = select(first, r, root - half_gap);
-  const Real squared = x * x + y * y;
-  const auto is_round = !(squared > Real(0));
-  const Real inverse = Real(1) / sqrt(select(is_round, Real(1), squared));
-  const Real cosine = select(is_round, Real(1), x * inverse);
-  const Real sine = y * inverse;
-  basis.vector = { least.vector, combined(-sine, a, cosine, b), combined(cosine, a, sine, b) };
-  basis.value = { least.value, Real(0.5) * (p + q) - root, Real(0.5) * (p + q) + root };
+    basis.value[k] = product(basis.vector[k], m, basis.vector[k]);
+  order(basis, 0, 1);
+  order(basis, 1, 2);
+  order(basis, 0, 1);
   return basis;
 }
 }  // namespace eigen

@@ -3,19 +3,11 @@
 
 #include <array>
 
+#include "pkm_workspace/interval/curve.h"
 #include "pkm_workspace/interval/pencil_bounds.h"
-#include "pkm_workspace/interval/skew_box.h"
 
 namespace pkm_workspace
 {
-/// A piece of a path: a box with edges along it that holds the tool points, and one that holds the unit vectors along
-/// the way there (0 where the tool rests).
-struct PathPiece
-{
-  SkewBox<double> points;   ///< [m]
-  SkewBox<double> tangent;  ///< over the same delta
-};
-
 /// What the machine does while the tool is on a piece of a path: bounds that hold at all of its points.
 struct PieceMotion
 {

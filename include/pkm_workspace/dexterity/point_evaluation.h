@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/dexterity/verdict.h"
+
+namespace pkm_workspace
+{
+/// One of the conditions that a criterion is made of, at one tool point.
+struct Limit
+{
+  enum class Kind
+  {
+    REACH,        ///< |q|, the strut's offset across its rail, is at most its length [m]
+    JOINT_LOWER,  ///< rho is at least its lower limit [m]
+    JOINT_UPPER,  ///< rho is at most its upper limit [m]
+    ASPECT,       ///< det A over the struts' lengths has the sign asked for
+    PSI_MIN,      ///< the least velocity transmission factor
+    PSI_MAX,      ///< the largest velocity transmission factor
+    FORCE_MIN,    ///< the least force transmission factor
+    FORCE_MAX,    ///< the largest force transmission factor
+    KAPPA_MAX     ///< the condition number of J
+  };
+
+  Kind kind = Kind::REACH;
+  int leg = -1;           ///< 0, 1, 2; -1 where the condition is about all legs
+  Interval value = 0.0;   ///< encloses what is bounded
+  double bound = 0.0;     ///< what bounds it
+  Interval margin = 0.0;  ///< encloses how far it is within its bound, in the same unit; negative where it is violated
+
+  bool isViolated() const { return margin.certainlyNegative(); }
+};
+
+/// "reach", "joint_lower", ..., "kappa_max".
+std::string name(Limit::Kind kind);
+
+/// The machine at one tool point. Enclosures, except where it says otherwise.
+struct PointEvaluation
+{
+  BoxVerdict verdict = BoxVerdict::UNDECIDED;    ///< whether the point satisfies the criterion
+  BoxVerdict reachable = BoxVerdict::UNDECIDED;  ///< whether all struts reach it
+  /// Everything else is there where they are proved to, away from serial singularities.
+  bool has_values = false;
+  std::array<Interval, 3> psi;  ///< velocity transmission factors, ascending
+  std::array<Interval, 3> rho;  ///< joint values [m]
+  Interval condition = 0.0;     ///< psi_3 / psi_1; unbounded at parallel singularities
+  Interval det_a = 0.0;         ///< [m^3]
+  std::vector<Limit>
+      limits = {};  ///< all that the criterion asks for; only those on the reach where there is nothing else
+
+  /// The one that is violated most, or that is nearest to be: margins are compared over the length of the longest strut
+  /// for lengths, over the larger of value and bound for factors. A criterion always asks for the reach.
+  const Limit& binding() const;
+  double scale = 1.0;  ///< length of the longest strut [m]
+};
+
+/// Evaluates points for one machine and criterion. Thread-safe: constant after construction.
+class PointEvaluator
+{
+public:
+  /// @throws std::invalid_argument when the criterion is not valid
+  PointEvaluator(const Machine& machine, const Criterion& criterion);
+
+  const Machine& machine() const { return machine_; }
+  const BoxTest& test() const { return test_; }
+  /// @throws std::invalid_argument for a point that is not finite
+  PointEvaluation operator()(const Eigen::Vector3d& point) const;
+
+private:
+  void addReach(const Eigen::Vector3d& point, PointEvaluation& result) const;
+  void addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result) const;
+  void addFactors(PointEvaluation& result) const;
+
+  Machine machine_;
+  BoxTest test_;
+  BoxTest reach_test_;
+};
+
+/// The same once.
+PointEvaluation evaluatePoint(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point);
+}  // namespace pkm_workspace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/region/path.h"
+
+namespace pkm_workspace
+{
+/// What is asked about a path besides its criterion. Values with defaults; validate() tells what is wrong.
+struct PathQuery
+{
+  double tool_speed = 1.0;                  ///< constant along the path [m/s], > 0
+  std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0
+  const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
+
+  void validate(Problems& problems) const;
+};
+
+/// What the machine does along a path or a segment: every interval holds the values at all of its points.
+struct PathMotion
+{
+  std::array<Interval, 3> psi;        ///< velocity transmission factors, ascending
+  std::array<Interval, 3> joint;      ///< joint values [m]: the travel is their width
+  std::array<double, 3> joint_speed;  ///< upper bounds of |rhodot_i| at the tool speed asked for [m/s]
+};
+
+/// The answer about one segment. Its parameter t runs from 0 to 1.
+struct SegmentCheck
+{
+  Containment verdict = Containment::UNDECIDED;
+  double good_until = 0.0;           ///< all points before this t are proved good; 1 for INSIDE
+  std::optional<double> bad_at;      ///< with OUTSIDE: the point at this t is proved bad
+  std::optional<PathMotion> motion;  ///< with INSIDE
+};
+
+/// Where a path is not, or not surely, good for the first time.
+struct PathOffence
+{
+  std::size_t segment = 0;       ///< index
+  double good_until = 0.0;       ///< the first offence is at this t of the segment or later, ...
+  std::optional<double> bad_at;  ///< ... and at this t or before; nothing where no bad point is proved on the segment
+  Eigen::Vector3d point;         ///< nearly the point at bad_at, or at good_until [m]
+  Limit limit;                   ///< which condition binds there, and which leg's
+};
+
+/// The answer about a path.
+struct PathResult
+{
+  Containment verdict = Containment::INSIDE;  ///< INSIDE iff all segments are, OUTSIDE where one is
+  std::vector<SegmentCheck> segments = {};    ///< one for each segment
+  std::optional<PathOffence> first = {};      ///< of the first segment that is not INSIDE
+  std::optional<PathMotion> motion = {};      ///< over the whole path, with INSIDE
+  std::int64_t looks = 0;                     ///< pieces looked at
+};
+
+/// Whether every point of the path satisfies the criterion. There is no tolerance: a path that touches the border of
+/// the set is OUTSIDE or UNDECIDED, never INSIDE. Segments need not join. An empty path is INSIDE.
+///
+/// Pieces of the segments are enclosed by boxes with edges along them and looked at as a whole, side by side. On the
+/// first segment that is not INSIDE they are divided until doubles end, so that good_until and bad_at are neighbours
+/// up to rounding where the path crosses the border; later segments are divided no further than their verdicts need.
+/// @throws std::invalid_argument when the criterion or the query is not valid
+PathResult checkPath(const PointEvaluator& evaluator, const std::vector<PathSegment>& segments,
+                     const PathQuery& query = {});
+PathResult checkPath(const Machine& machine, const Criterion& criterion, const std::vector<PathSegment>& segments,
+                     const PathQuery& query = {});
+}  // namespace pkm_workspace

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/point_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace pkm_workspace
+{
+namespace
+{
+using Kind = Limit::Kind;
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+Criterion reachOnly()
+{
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.aspect = Criterion::Aspect::BOTH;
+  return criterion;
+}
+
+Interval asInterval(const Span<double>& span)
+{
+  return { span.lower, span.upper };
+}
+
+/// { 1 / x : x in the set }, which is not negative.
+Interval inverse(const Interval& x)
+{
+  const double lower = x.upper() < INF ? (Interval(1.0) / Interval(x.upper())).lower() : 0.0;
+  return { std::max(0.0, lower), x.lower() > 0.0 ? (Interval(1.0) / Interval(x.lower())).upper() : INF };
+}
+
+Limit atLeast(Kind kind, int leg, const Interval& value, double bound)
+{
+  return { kind, leg, value, bound, value - Interval(bound) };
+}
+
+Limit atMost(Kind kind, int leg, const Interval& value, double bound)
+{
+  return { kind, leg, value, bound, Interval(bound) - value };
+}
+
+/// The margin without unit, in floating point.
+double relativeMargin(const Limit& limit, double scale)
+{
+  const double margin = limit.margin.isBounded() ? limit.margin.mid() : -INF;
+  switch (limit.kind)
+  {
+    case Kind::REACH:
+    case Kind::JOINT_LOWER:
+    case Kind::JOINT_UPPER:
+      return margin / scale;
+    case Kind::ASPECT:
+      return margin;
+    default:
+      return limit.value.isBounded() ? margin / std::max(limit.value.mid(), limit.bound) : margin;
+  }
+}
+}  // namespace
+
+std::string name(Limit::Kind kind)
+{
+  constexpr const char* NAMES[] = { "reach",   "joint_lower", "joint_upper", "aspect",   "psi_min",
+                                    "psi_max", "force_min",   "force_max",   "kappa_max" };
+  return NAMES[static_cast<int>(kind)];
+}
+
+const Limit& PointEvaluation::binding() const
+{
+  return *std::min_element(limits.begin(), limits.end(), [this](const Limit& a, const Limit& b) {
+    return relativeMargin(a, scale) < relativeMargin(b, scale);
+  });
+}
+
+PointEvaluator::PointEvaluator(const Machine& machine, const Criterion& criterion)
+  : machine_(machine), test_(machine, criterion), reach_test_(machine, reachOnly())
+{}
+
+PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const
+{
+  if (!point.allFinite())
+  {
+    std::ostringstream text;
+    text << "the point (" << point.x() << ", " << point.y() << ", " << point.z() << ") m must be finite";
+    throw std::invalid_argument(text.str());
+  }
+  PointEvaluation result;
+  result.scale = machine_.scale();
+  result.verdict = test_.classify(point);
+  CurvePiece piece{};
+  piece.points.center = { point.x(), point.y(), point.z() };
+  PieceMotion motion;
+  reach_test_.kernel().look(&piece, 1, &result.reachable, &motion);
+  addReach(point, result);
+  const auto there = configurationAt(machine_, point);
+  result.has_values = there && motion.joint[0].upper < INF;
+  if (result.has_values)
+    addValues(*there, motion, result);
+  return result;
+}
+
+void PointEvaluator::addReach(const Eigen::Vector3d& point, PointEvaluation& result) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const Interval& length = machine_.leg(i).length;
+    const Interval across = norm(machine_.projector(i) * (enclose(point) - machine_.center(i)));
+    result.limits.push_back({ Kind::REACH, i, across, length.mid(), length - across });
+  }
+}
+
+void PointEvaluator::addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result) const
+{
+  const Criterion& criterion = test_.model().criterion();
+  const Interval not_negative(0.0, INF);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    result.psi[i] = intersection(asInterval(motion.psi[i]), not_negative);
+    result.rho[i] = intersection(asInterval(motion.joint[i]), there.rho[i]);
+    const Interval& limits = machine_.legs()[i].limits;
+    if (criterion.joint_limits && limits.lower() > -INF)
+      result.limits.push_back(atLeast(Kind::JOINT_LOWER, static_cast<int>(i), result.rho[i], limits.lower()));
+    if (criterion.joint_limits && limits.upper() < INF)
+      result.limits.push_back(atMost(Kind::JOINT_UPPER, static_cast<int>(i), result.rho[i], limits.upper()));
+  }
+  result.condition = intersection(result.psi[2] * inverse(result.psi[0]), Interval(1.0, INF));
+  result.det_a = there.det_a;
+  if (criterion.aspect != Criterion::Aspect::BOTH)
+  {
+    const double sign = criterion.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
+    const Interval volume = machine_.leg(0).length * machine_.leg(1).length * machine_.leg(2).length;
+    const Interval value = Interval(sign) * there.det_a / volume;
+    result.limits.push_back(atLeast(Kind::ASPECT, -1, value, 0.0));
+  }
+  addFactors(result);
+}
+
+void PointEvaluator::addFactors(PointEvaluation& result) const
+{
+  const Criterion& criterion = test_.model().criterion();
+  const auto add = [&](const Limit& limit) { result.limits.push_back(limit); };
+  if (criterion.set == Criterion::Set::DEXTROUS)
+  {
+    add(atLeast(Kind::PSI_MIN, -1, result.psi[0], criterion.psi_min));
+    add(atMost(Kind::PSI_MAX, -1, result.psi[2], criterion.psi_max));
+  }
+  if (criterion.force_min > 0.0)
+    add(atLeast(Kind::FORCE_MIN, -1, inverse(result.psi[2]), criterion.force_min));
+  if (criterion.force_max > 0.0)
+    add(atMost(Kind::FORCE_MAX, -1, inverse(result.psi[0]), criterion.force_max));
+  if (criterion.kappa_max > 0.0)
+    add(atMost(Kind::KAPPA_MAX, -1, result.condition, criterion.kappa_max));
+}
+
+PointEvaluation evaluatePoint(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point)
+{
+  return PointEvaluator(machine, criterion)(point);
+}
+}  // namespace pkm_workspace

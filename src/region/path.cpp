@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/region/path.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/interval/decimal.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Eigen::Vector3d;
+
+/// Coordinates beyond this are no machine's; their squares and cubes stay ordinary numbers.
+constexpr double FARTHEST = 1e9;
+
+/// A point to be told of.
+struct Named
+{
+  const char* name;
+  Vector3d point;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Named& p)
+{
+  return stream << p.name << " (" << p.point.x() << ", " << p.point.y() << ", " << p.point.z() << ") m";
+}
+
+/// Collects what is wrong with the numbers of a segment.
+class Checks
+{
+public:
+  explicit Checks(const char* kind) : kind_(kind) { text_.precision(17); }
+
+  Checks& point(const char* name, const Vector3d& p)
+  {
+    if (!(p.cwiseAbs().maxCoeff() <= FARTHEST) || !p.allFinite())
+      add() << Named{ name, p } << " must be finite, within 1e9 m";
+    return *this;
+  }
+  Checks& direction(const char* name, const Vector3d& v)
+  {
+    if (!v.allFinite() || !(v.cwiseAbs().maxCoeff() >= 1e-100) || !(v.cwiseAbs().maxCoeff() <= 1e100))
+      add() << name << " (" << v.x() << ", " << v.y() << ", " << v.z() << ") must be finite and not 0";
+    return *this;
+  }
+  Checks& number(const char* name, double value, double most, const char* unit)
+  {
+    if (!(std::abs(value) <= most))
+      add() << name << " = " << value << ' ' << unit << " must be from " << -most << " to " << most << ' ' << unit;
+    return *this;
+  }
+  std::ostream& add() { return text_ << (text_.tellp() > 0 ? "\n" : "") << kind_ << ": "; }
+  void throwIfAny() const
+  {
+    if (!text_.str().empty())
+      throw std::invalid_argument(text_.str());
+  }
+
+private:
+  const char* kind_;
+  std::ostringstream text_;
+};
+
+/// A circle about an axis, with the point that it starts at.
+struct Circle
+{
+  IntervalVector center;  ///< [m]
+  IntervalVector axis;    ///< of length 1
+  IntervalVector u;       ///< from the center to the start [m]
+
+  Curve curve(const Interval& angle, double lift = 0.0) const
+  {
+    return Curve(center, Interval(lift) * axis, u, cross(axis, u), angle);
+  }
+};
+
+IntervalVector unit(const IntervalVector& v)
+{
+  return (Interval(1.0) / norm(v)) * v;
+}
+
+Circle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d& axis, Checks& checks)
+{
+  Circle circle;
+  circle.axis = unit(enclose(Vector3d(axis / axis.cwiseAbs().maxCoeff())));
+  const IntervalVector offset = enclose(start) - enclose(center);
+  const Interval along = dot(offset, circle.axis);
+  circle.center = enclose(center) + along * circle.axis;
+  circle.u = offset - along * circle.axis;
+  if (!(norm(circle.u).lower() > 1e-12 * norm(offset).upper()))
+    checks.add() << Named{ "start", start } << " lies on the axis";
+  checks.throwIfAny();
+  return circle;
+}
+
+/// The circle through three points (circumcenter of the triangle).
+Circle circleThrough(const Vector3d& start, const Vector3d& via, const Vector3d& end, Checks& checks)
+{
+  const IntervalVector b = enclose(via) - enclose(start);
+  const IntervalVector c = enclose(end) - enclose(start);
+  const IntervalVector normal = cross(b, c);
+  const Interval square = squaredNorm(normal);
+  const Interval least = sqr(Interval(ARC_LEAST_SINE)) * squaredNorm(b) * squaredNorm(c);
+  if (!(square.lower() > least.upper()))
+    checks.add() << Named{ "start", start } << ", " << Named{ "via", via } << " and " << Named{ "end", end }
+                 << " must be three points that are not on a line";
+  checks.throwIfAny();
+  const IntervalVector to_center = squaredNorm(c) * cross(normal, b) + squaredNorm(b) * cross(c, normal);
+  const IntervalVector offset = (Interval(0.5) / square) * to_center;
+  return { enclose(start) + offset, unit(normal), { -offset[0], -offset[1], -offset[2] } };
+}
+
+/// Encloses the angle in (0, 2 pi) from the start to the direction of the point: a guess, and the arc sine of what is
+/// left.
+Interval angleTo(const Circle& circle, const Vector3d& end, Checks& checks)
+{
+  const IntervalVector offset = enclose(end) - circle.center;
+  const Interval x = dot(offset, circle.u);
+  const Interval y = dot(offset, cross(circle.axis, circle.u));
+  const Interval square = sqr(x) + sqr(y);
+  if (!square.certainlyPositive() || (y.contains(0.0) && x.upper() > 0.0))
+    checks.add() << Named{ "end", end } << " must be in another direction from the axis than the start";
+  checks.throwIfAny();
+  double guess = std::atan2(y.mid(), x.mid());
+  guess += guess < 0.0 ? 2.0 * pi().mid() : 0.0;
+  const double rest = ((y * cos(guess) - x * sin(guess)) / sqrt(square)).magnitude();
+  if (!(rest < 0.5))
+    checks.add() << "the circle is too small beside its coordinates for doubles";
+  checks.throwIfAny();
+  return Interval(guess) + Interval(-2.0 * rest, 2.0 * rest);  // |asin x| <= 2 |x| for |x| < 0.9
+}
+}  // namespace
+
+PathSegment PathSegment::line(const Vector3d& start, const Vector3d& end)
+{
+  Checks("line").point("start", start).point("end", end).throwIfAny();
+  return PathSegment(Curve::line(enclose(start), enclose(end)));
+}
+
+PathSegment PathSegment::arc(const Vector3d& start, const Vector3d& center, const Vector3d& axis, double angle,
+                             double lift)
+{
+  Checks checks("arc");
+  checks.point("start", start).point("center", center).direction("axis", axis);
+  checks.number("angle", angle, ARC_LARGEST_ANGLE, "rad").number("lift", lift, FARTHEST, "m").throwIfAny();
+  return PathSegment(circleAbout(start, center, axis, checks).curve(angle, lift));
+}
+
+PathSegment PathSegment::circle(const Vector3d& start, const Vector3d& center, const Vector3d& axis)
+{
+  Checks checks("circle");
+  checks.point("start", start).point("center", center).direction("axis", axis).throwIfAny();
+  return PathSegment(circleAbout(start, center, axis, checks).curve(Interval(2.0) * pi()));
+}
+
+PathSegment PathSegment::arcThrough(const Vector3d& start, const Vector3d& via, const Vector3d& end)
+{
+  Checks checks("arc");
+  checks.point("start", start).point("via", via).point("end", end).throwIfAny();
+  const Circle circle = circleThrough(start, via, end, checks);
+  return PathSegment(circle.curve(angleTo(circle, end, checks)));
+}
+
+PathSegment PathSegment::arcTo(const Vector3d& start, const Vector3d& center, const Vector3d& axis, const Vector3d& end)
+{
+  if (start == end)
+    return circle(start, center, axis);
+  Checks checks("arc");
+  checks.point("start", start).point("center", center).direction("axis", axis).point("end", end).throwIfAny();
+  const Circle circle = circleAbout(start, center, axis, checks);
+  const PathSegment segment(circle.curve(angleTo(circle, end, checks)));
+  const double mismatch = norm(segment.curve_.point(1.0) - enclose(end)).upper();
+  if (!(mismatch <= ARC_MISMATCH))
+    checks.add() << Named{ "end", end } << " is " << roundedUp(mismatch, 9)
+                 << " m beside the circle through the start, of radius " << nearly(norm(circle.u).mid())
+                 << " m; allowed are " << exact(ARC_MISMATCH) << " m";
+  checks.throwIfAny();
+  return segment;
+}
+}  // namespace pkm_workspace
