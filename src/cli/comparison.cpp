@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/region/region_singularity.h"
+#include "pkm_workspace/region/region_parts.h"
 
 namespace pkm_workspace
 {

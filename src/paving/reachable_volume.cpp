@@ -38,23 +38,6 @@ struct Share
   }
 };
 
-/// How far delta over the box may be from [-1, 1], along each axis: centers and half widths are rounded.
-std::array<Interval, 3> deviations(const Box& box, const CenteredBox<double>& centered)
-{
-  std::array<Interval, 3> deviation;
-  for (std::size_t j = 0; j < 3; ++j)
-  {
-    const Interval side = box.side(static_cast<int>(j)) - Interval(centered.center[j]);
-    if (centered.half_widths[j] == 0.0)
-      continue;
-    const Interval half(centered.half_widths[j]);
-    const Interval lower = Interval(side.lower()) / half + Interval(1.0);
-    const Interval upper = Interval(side.upper()) / half - Interval(1.0);
-    deviation[j] = Interval(0.0, std::max(lower.magnitude(), upper.magnitude()));
-  }
-  return deviation;
-}
-
 /// A point of the box is in the set exactly when no condition is violated there. The forms of limits and aspect hold
 /// where all struts reach only; elsewhere a radicand is negative, whose form always holds.
 Interval shareOfSet(const MachineModel<double>& model, const Box& box)

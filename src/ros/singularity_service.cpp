@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pkm_workspace/paving/range_workspace.h"
-#include "pkm_workspace/region/region_singularity.h"
+#include "pkm_workspace/region/region_parts.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/reply.h"

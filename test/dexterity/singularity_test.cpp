@@ -7,7 +7,7 @@
 
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/joint_ranges.h"
-#include "pkm_workspace/region/region_singularity.h"
+#include "pkm_workspace/region/region_parts.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"

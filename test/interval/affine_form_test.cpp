@@ -83,6 +83,19 @@ TEST_P(AffineFormContainment, squareRootHoldsThoseOfAllMembersAboveTheFloor)
   });
 }
 
+TEST_P(AffineFormContainment, inverseHoldsThoseOfAllMembersOfPositiveForms)
+{
+  forEachCase([this](Forms& forms) {
+    Form a = forms.form();
+    a.center = (1.0 + std::ldexp(1.0, -forms.random().integer(0, 40))) * (a.swing() + a.radius) + 1e-200;
+    if (!(a.lower() > 0.0) || !std::isfinite(1.0 / (a.lower() * a.upper() * a.lower())))
+      return;
+    const Form inverse = evaluate<Form>([&] { return inverseOf(a); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+      ASSERT_TRUE(forms.holds(inverse, Exact(1.0) / forms.member(a))) << "1 / " << a << " = " << inverse;
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AffineFormContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
 
 constexpr double ULP = std::numeric_limits<double>::epsilon();
@@ -115,6 +128,14 @@ TEST(AffineFormTightness, squareRootErrsByTheQuarterOfTheChordsGap)
   const Form point = { 4.0, { 0.0, 0.0, 0.0 }, 0.0 };
   EXPECT_LE(sqrtAbove(point, 0.0).radius, 100.0 * ULP);
   EXPECT_LT(std::abs(sqrtAbove(point, 0.0).center - 2.0), 10.0 * ULP);
+}
+
+TEST(AffineFormTightness, inverseErrsByHalfOfTheChordsGap)
+{
+  const Form f = { 1.0, { 0.01, 0.0, 0.0 }, 0.0 };
+  const double gap = std::pow(std::sqrt(1.01) - std::sqrt(0.99), 2) / (1.01 * 0.99);
+  EXPECT_NEAR(inverseOf(f).radius, 0.5 * gap, 0.02 * gap);
+  EXPECT_LE(inverseOf(Form{ 4.0, {}, 0.0 }).radius, 100.0 * ULP);
 }
 
 TEST(AffineForm, overflowIsNeverAFiniteBound)

@@ -61,21 +61,30 @@ AffineForm<Real> MachineModel<Real>::level(const MachineForms<Real>& forms, cons
 }
 
 template <class Real>
-void MachineModel<Real>::conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const
+ExtremeFactors<Real> MachineModel<Real>::extremeFactors(const MachineForms<Real>& forms) const
 {
-  std::array<Real, 3> radicand;
-  std::array<Real, 3> gram;
-  SymmetricForms<Real> a_a;
-  SymmetricForms<Real> b_b;
+  return extremeFactors({ forms.radicand[0].center, forms.radicand[1].center, forms.radicand[2].center },
+                        { forms.gram[0].center, forms.gram[1].center, forms.gram[2].center });
+}
+
+template <class Real>
+SymmetricForms<Real> MachineModel<Real>::gramMatrix(const MachineForms<Real>& forms) const
+{
+  SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    radicand[i] = forms.radicand[i].center;
-    gram[i] = forms.gram[i].center;
-    a_a[i] = a_a[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
-    a_a[3 + i] = forms.gram[i];
-    b_b[i] = forms.radicand[i];
+    matrix[i] = matrix[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
+    matrix[3 + i] = forms.gram[i];
   }
-  const ExtremeFactors<Real> factors = extremeFactors(radicand, gram);
+  return matrix;
+}
+
+template <class Real>
+void MachineModel<Real>::conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const
+{
+  const SymmetricForms<Real> a_a = gramMatrix(forms);
+  const SymmetricForms<Real> b_b = diagonal(forms.radicand);
+  const ExtremeFactors<Real> factors = extremeFactors(forms);
   const AffineForm<Real> t = level(forms, factors);
   for (std::size_t i = 0; i < 3; ++i)
   {

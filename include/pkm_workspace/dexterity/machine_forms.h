@@ -88,6 +88,10 @@ public:
   SymmetricForms<Real> lowerMatrix(const MachineForms<Real>& forms) const;
   /// S_max = psi_max^2 B^2 - A A^T [m^2].
   SymmetricForms<Real> upperMatrix(const MachineForms<Real>& forms) const;
+  /// A A^T [m^2].
+  SymmetricForms<Real> gramMatrix(const MachineForms<Real>& forms) const;
+  /// The extreme transmission factors at delta = 0. @pre no radicand is much smaller there than the squared strut
+  ExtremeFactors<Real> extremeFactors(const MachineForms<Real>& forms) const;
   /// What the bound on the condition number says over the box.
   void conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const;
   /// det A [m^3] times the sign that the criterion's aspect asks for: positive where the aspect is right.

@@ -171,6 +171,26 @@ inline AffineForm<Real> operator*(const AffineForm<Real>& a, const AffineForm<Re
   return product;
 }
 
+/// Encloses 1 / f for a form that is positive on the whole cube; where it is not, the result has no meaning. The chord
+/// of the hyperbola over the range of f, moved to the middle of its error.
+template <class Real>
+inline AffineForm<Real> inverseOf(const AffineForm<Real>& a)
+{
+  const Real low = a.lower();
+  const Real high = a.upper();
+  const Real slope = Real(1) / (low * high);
+  const Real gap = high - low;
+  // the chord is low + high - f, times the slope; below it the hyperbola reaches (sqrt(high) - sqrt(low))^2 slope,
+  // and that is less than this
+  const Real half_gap = gap * gap * slope / (Real(8) * low);
+  AffineForm<Real> inverse;
+  inverse.center = (low + high - a.center) * slope - half_gap;
+  for (std::size_t j = 0; j < 3; ++j)
+    inverse.gradient[j] = -(a.gradient[j] * slope);
+  inverse.radius = affine::widened(a.radius * slope + half_gap, (low + high + a.magnitude()) * slope, 32);
+  return inverse;
+}
+
 /// Encloses sqrt(f) wherever f >= floor; where f < floor nothing is said, and where that is everywhere the result has
 /// no meaning. It is the chord of the square root over the range of f, moved to the middle of its error.
 /// @param floor >= 0 [unit of f]

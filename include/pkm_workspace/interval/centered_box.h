@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "pkm_workspace/interval/affine_form.h"
@@ -56,6 +57,23 @@ struct CenteredBox
     return result;
   }
 };
+
+/// How far delta over the box may be from [-1, 1], along each axis: centers and half widths are rounded.
+inline std::array<Interval, 3> deviations(const Box& box, const CenteredBox<double>& centered)
+{
+  std::array<Interval, 3> deviation;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Interval side = box.side(static_cast<int>(j)) - Interval(centered.center[j]);
+    if (centered.half_widths[j] == 0.0)
+      continue;
+    const Interval half(centered.half_widths[j]);
+    const Interval lower = Interval(side.lower()) / half + Interval(1.0);
+    const Interval upper = Interval(side.upper()) / half - Interval(1.0);
+    deviation[j] = Interval(0.0, std::max(lower.magnitude(), upper.magnitude()));
+  }
+  return deviation;
+}
 
 /// Encloses one coordinate of the points of the box.
 template <class Real>

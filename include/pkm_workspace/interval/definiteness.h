@@ -11,6 +11,16 @@ namespace pkm_workspace
 template <class Real>
 using SymmetricForms = std::array<AffineForm<Real>, 6>;
 
+/// A matrix without anything off its diagonal.
+template <class Real>
+SymmetricForms<Real> diagonal(const std::array<AffineForm<Real>, 3>& entries)
+{
+  SymmetricForms<Real> matrix;
+  for (std::size_t k = 0; k < 3; ++k)
+    matrix[k] = entries[k];
+  return matrix;
+}
+
 /// Encloses s M.
 template <class Real>
 SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/global_conditioning.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Boxes that are divided side by side.
+constexpr std::size_t WAVE = 64;
+/// How many more boxes there are each time the width is looked at.
+constexpr double GROWTH = 1.2;
+/// How far below a floating-point estimate a bound is tried first, and how much farther each time after that.
+constexpr double FIRST_STEP = 1e-12;
+constexpr double STEPS = 10.0;
+
+/// A box that belongs to the set as a whole, or of which an unknown part does.
+struct Part
+{
+  Box box;
+  Interval measure;
+  Interval index;  ///< the mean over the box; of a part of it, the range
+  bool whole;
+  double uncertainty;  ///< what it adds to the width of the result, about
+  bool operator<(const Part& other) const { return uncertainty < other.uncertainty; }
+};
+
+/// Of flat boxes, the area: sides without a width do not count.
+Interval measureOf(const Box& box)
+{
+  Interval measure(1.0);
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.lower[axis] < box.upper[axis])
+      measure *= Interval(box.upper[axis]) - Interval(box.lower[axis]);
+  return measure;
+}
+
+class Average
+{
+public:
+  Average(const Machine& machine, const BoxClassifier& set, const ConditioningQuery& query)
+    : model_(machine, everywhere())
+    , set_(set)
+    , query_(query)
+    , pool_(query.budget.threads)
+    , begin_(std::chrono::steady_clock::now())
+  {}
+
+  GlobalConditioning run(const Box& box)
+  {
+    addAll({ box });
+    for (std::size_t next_look = 0; !parts_.empty() && !isOver();)
+    {
+      if (parts_.size() >= next_look && widthNearly() <= query_.accuracy)
+        break;
+      if (parts_.size() >= next_look)
+        next_look = static_cast<std::size_t>(GROWTH * static_cast<double>(parts_.size()));
+      const std::vector<Box> halves = takeHalves();
+      if (halves.empty())
+        break;
+      addAll(halves);
+    }
+    conclude();
+    return result_;
+  }
+
+private:
+  static Criterion everywhere()
+  {
+    Criterion criterion;
+    criterion.set = Criterion::Set::REACHABLE;
+    criterion.aspect = Criterion::Aspect::BOTH;
+    return criterion;
+  }
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+  bool isOver() const
+  {
+    const Budget& budget = query_.budget;
+    return budget.isOver(seconds()) || (budget.max_boxes > 0 && result_.boxes >= budget.max_boxes);
+  }
+
+  void addAll(const std::vector<Box>& boxes)
+  {
+    std::vector<std::optional<Part>> found(boxes.size());
+    pool_.forEach(boxes.size(), [&](std::size_t k) { found[k] = lookAt(boxes[k]); });
+    result_.boxes += static_cast<std::int64_t>(boxes.size());
+    for (const std::optional<Part>& part : found)
+      if (part)
+      {
+        parts_.push_back(*part);
+        std::push_heap(parts_.begin(), parts_.end());
+      }
+  }
+
+  /// Nothing for a box that does not belong to the set.
+  std::optional<Part> lookAt(const Box& box) const
+  {
+    const BoxVerdict verdict = set_(box);
+    if (verdict == BoxVerdict::OUTSIDE)
+      return std::nullopt;
+    const ConditioningBounds bounds = conditioningOver(model_, box);
+    Part part{ box, measureOf(box), bounds.mean, verdict == BoxVerdict::INSIDE, 0.0 };
+    if (!part.whole)
+      part.index = bounds.range;
+    // a part at the border counts with how far its index may be from the mean
+    part.uncertainty = part.measure.upper() * (part.whole ? part.index.width() : farFromMean(part.index));
+    return part;
+  }
+
+  double farFromMean(const Interval& index) const
+  {
+    return std::max({ index.width(), std::abs(index.lower() - estimate_), std::abs(index.upper() - estimate_) });
+  }
+
+  /// Takes the most uncertain parts away. @return their halves; nothing when doubles cannot divide them
+  std::vector<Box> takeHalves()
+  {
+    std::vector<Box> result;
+    for (std::size_t k = 0; k < WAVE && !parts_.empty(); ++k)
+    {
+      const Box box = parts_.front().box;
+      const int axis = box.widestAxis();
+      if (!box.canBisect(axis))
+        break;
+      const auto halves = box.bisect(axis);
+      result.push_back(halves.first);
+      result.push_back(halves.second);
+      std::pop_heap(parts_.begin(), parts_.end());
+      parts_.pop_back();
+    }
+    return result;
+  }
+
+  /// The width of the result in floating point, as far as the parts' uncertainties tell it.
+  double widthNearly()
+  {
+    double measure = 0.0;
+    double sum = 0.0;
+    double uncertainty = 0.0;
+    for (const Part& part : parts_)
+    {
+      uncertainty += part.uncertainty;
+      measure += part.whole ? part.measure.mid() : 0.0;
+      sum += part.whole ? part.measure.mid() * part.index.mid() : 0.0;
+    }
+    estimate_ = measure > 0.0 ? sum / measure : 0.5;
+    return measure > 0.0 ? uncertainty / measure : 1.0;
+  }
+
+  /// Encloses the sum over the set of (index - ratio) dV; the parts at the border count where they make it worse for a
+  /// bound from @p below.
+  Interval excess(double ratio, bool below) const
+  {
+    Interval sum;
+    for (const Part& part : parts_)
+    {
+      const Interval term = part.measure * (part.index - Interval(ratio));
+      if (part.whole)
+        sum += term;
+      else
+        sum += below ? Interval(std::min(0.0, term.lower())) : Interval(std::max(0.0, term.upper()));
+    }
+    return sum;
+  }
+
+  /// The mean is at least a ratio exactly where the excess over it is not negative, whatever parts count at the border;
+  /// for the other side the other way round.
+  double bound(bool below) const
+  {
+    double ratio = nearly(below);
+    const double sign = below ? -1.0 : 1.0;
+    for (double step = FIRST_STEP; ratio > 0.0 && ratio < 1.0; step *= STEPS)
+    {
+      ratio += sign * step;
+      const Interval found = excess(ratio, below);
+      if (below ? found.lower() >= 0.0 : found.upper() <= 0.0)
+        return std::min(1.0, std::max(0.0, ratio));
+    }
+    return below ? 0.0 : 1.0;
+  }
+
+  /// The same by bisection, in floating point.
+  double nearly(bool below) const
+  {
+    double lower = 0.0;
+    double upper = 1.0;
+    for (int step = 0; step < 50; ++step)
+    {
+      const double middle = 0.5 * (lower + upper);
+      const Interval found = excess(middle, below);
+      const bool is_bound = below ? found.lower() >= 0.0 : found.upper() <= 0.0;
+      (is_bound == below ? lower : upper) = middle;
+    }
+    return below ? lower : upper;
+  }
+
+  void conclude()
+  {
+    Interval whole;
+    Interval border;
+    for (const Part& part : parts_)
+      (part.whole ? whole : border) += part.measure;
+    result_.measure = { whole.lower(), (whole + border).upper() };
+    result_.index = whole.certainlyPositive() ? Interval(bound(true), bound(false)) : Interval(0.0, 1.0);
+    result_.complete = result_.index.width() <= query_.accuracy;
+    result_.seconds = seconds();
+  }
+
+  MachineModel<double> model_;
+  const BoxClassifier& set_;
+  const ConditioningQuery& query_;
+  ThreadPool pool_;
+  std::chrono::steady_clock::time_point begin_;
+  std::vector<Part> parts_;  ///< a heap, the most uncertain first
+  double estimate_ = 0.5;
+  GlobalConditioning result_;
+};
+}  // namespace
+
+void ConditioningQuery::validate(Problems& problems) const
+{
+  validatePositive("accuracy", accuracy, "(a conditioning index, without unit)", problems);
+  budget.validate(problems);
+}
+
+GlobalConditioning globalConditioning(const Machine& machine, const BoxClassifier& set, const Box& box,
+                                      const ConditioningQuery& query)
+{
+  Problems problems;
+  query.validate(problems);
+  validateBox("box", box, problems);
+  throwProblems(problems);
+  return Average(machine, set, query).run(box);
+}
+}  // namespace pkm_workspace
