@@ -20,7 +20,7 @@ std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<doub
   if (__builtin_cpu_supports("avx2"))
     kernels.emplace_back(makeAvx2Kernel(model));
 #endif
-  kernels.push_back(std::make_unique<const PackKernel<2>>(model));
+  kernels.push_back(std::make_unique<const PackKernel<Pack<2>>>(MachineModel<Pack<2>>(model)));
   return kernels;
 }
 }  // namespace pkm_workspace

@@ -5,6 +5,6 @@ namespace pkm_workspace
 {
 const BoxKernel* makeAvx2Kernel(const MachineModel<double>& model)
 {
-  return new PackKernel<4>(model);
+  return new PackKernel<Pack<4>>(MachineModel<Pack<4>>(model));
 }
 }  // namespace pkm_workspace

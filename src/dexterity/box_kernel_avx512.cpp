@@ -5,6 +5,6 @@ namespace pkm_workspace
 {
 const BoxKernel* makeAvx512Kernel(const MachineModel<double>& model)
 {
-  return new PackKernel<8>(model);
+  return new PackKernel<Pack<8>>(MachineModel<Pack<8>>(model));
 }
 }  // namespace pkm_workspace

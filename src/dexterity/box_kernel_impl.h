@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The kernel for packs of W doubles. Nothing here may be instantiated but on packs: this file is compiled for several
-// instruction sets, and the linker keeps one copy of whatever has the same name.
+// The kernel for packs of doubles, and for one Precise number. Nothing here may be instantiated but on those: this file
+// is compiled for several instruction sets, and the linker keeps one copy of whatever has the same name.
 
-#include "pack_gather.h"
+#include "form_collector.h"
 
 namespace pkm_workspace
 {
-template <int W>
+template <class Real>
 class PackKernel : public BoxKernel
 {
-  using Real = Pack<W>;
-  using Mask = LaneMask<W>;
+  using Mask = MaskOf<Real>;
+  static constexpr std::size_t W = Real::WIDTH;
   using Point = std::array<Real, 3>;
 
   struct Verdicts
@@ -31,13 +31,7 @@ class PackKernel : public BoxKernel
   };
 
 public:
-  explicit PackKernel(const MachineModel<double>& model) : model_(model)
-  {
-    int exponent = 0;
-    frexp(model.squaredScale(), &exponent);
-    for (int power = 0; power < 4; ++power)
-      per_scale_[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
-  }
+  explicit PackKernel(const MachineModel<Real>& model) : model_(model), collector_(model_) {}
 
   std::size_t width() const override { return W; }
 
@@ -46,19 +40,20 @@ public:
   {
     for (std::size_t first = 0; first < count; first += W)
     {
-      const CenteredBox<Real> box = gather<W>(boxes + first, count - first);
+      const CenteredBox<Real> box = gather<Real>(boxes + first, count - first);
       Question question;
       if (within)
-        question.slack = slackOf<W>(within + first, count - first, box);
+        question.slack = slackOf<Real>(within + first, count - first, box);
       question.is_limited = within != nullptr;
       question.wants_worst = worst != nullptr;
       const Verdicts found = look(model_.evaluate(box), box, question);
-      for (int lane = 0; lane < W && first + static_cast<std::size_t>(lane) < count; ++lane)
+      for (std::size_t lane = 0; lane < W && first + lane < count; ++lane)
       {
-        const std::size_t k = first + static_cast<std::size_t>(lane);
-        verdicts[k] = verdictOf(found, lane);
+        const std::size_t k = first + lane;
+        verdicts[k] = verdictOf(found, static_cast<int>(lane));
         if (worst)
-          worst[k] = verdicts[k] == BoxVerdict::UNDECIDED ? laneOf(question.worst, lane) : AffineForm<double>();
+          worst[k] = verdicts[k] == BoxVerdict::UNDECIDED ? laneOf(question.worst, static_cast<int>(lane))
+                                                          : AffineForm<double>();
       }
     }
   }
@@ -76,7 +71,8 @@ public:
     }
     box.slack = Real(centers.slack);
     for (std::size_t first = 0; first < count; first += W)
-      collect(box.moved(Real(size), gather<W>(offsets + first, count - first)), results + first, count - first);
+      collector_.collect(box.moved(Real(size), gather<Real>(offsets + first, count - first)), results + first,
+                         count - first);
   }
 
   void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
@@ -84,7 +80,7 @@ public:
   {
     for (std::size_t first = 0; first < count; first += W)
     {
-      Point p = gather<W>(offsets + first, count - first);
+      Point p = gather<Real>(offsets + first, count - first);
       for (std::size_t k = 0; k < 3; ++k)
         p[k] = Real(center.data()[k]) + Real(size) * p[k];
       const Real margin = model_.margin(p);
@@ -209,86 +205,8 @@ private:
       verdicts.outside = verdicts.outside | (wrong & (model_.orientation(forms).upper() < Real(0.0)));
   }
 
-  void collect(const CenteredBox<Real>& box, NecessaryForms* results, std::size_t count) const
-  {
-    const MachineForms<Real> forms = model_.evaluate(box);
-    Mask violated = !everywhere();
-    for (std::size_t i = 0; i < 3; ++i)
-      violated = violated | (forms.radicand[i].upper() < model_.floor(i));
-    const Criterion& criterion = model_.criterion();
-    begin(results, count, violated);
-    if (criterion.boundsAbove())
-      appendMatrix(model_.upperMatrix(forms), results, count);
-    if (criterion.boundsBelow())
-      appendMatrix(model_.lowerMatrix(forms), results, count);
-    for (std::size_t i = 0; i < 3 && !criterion.boundsAbove(); ++i)
-      append(scaled(forms.radicand[i], 2), everywhere(), results, count);
-    if (criterion.boundsCondition())
-    {
-      ConditionForms<Real> condition;
-      model_.conditionForms(forms, condition);
-      for (const AffineForm<Real>& form : condition.necessary)
-        append(form, everywhere(), results, count);
-    }
-    if (model_.oriented())
-      appendOrientation(forms, results, count);
-    for (std::size_t leg = 0; leg < 3; ++leg)
-      for (int side = 0; side < 2; ++side)
-        if (model_.limited(leg, side))
-          append(scaled(model_.limitMargin(leg, side, forms, box), 1), everywhere(), results, count);
-  }
-
-  void appendMatrix(SymmetricForms<Real> matrix, NecessaryForms* results, std::size_t count) const
-  {
-    for (AffineForm<Real>& entry : matrix)
-      entry = scaled(entry, 2);
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-    {
-      SymmetricForms<double>& result = results[lane].matrix[results[lane].matrices++];
-      for (std::size_t entry = 0; entry < 6; ++entry)
-        result[entry] = laneOf(matrix[entry], static_cast<int>(lane));
-    }
-    append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
-  }
-
-  /// Where the sign of det A at one point is the one everywhere its form helps only where it is wrong.
-  void appendOrientation(const MachineForms<Real>& forms, NecessaryForms* results, std::size_t count) const
-  {
-    Mask useful = everywhere();
-    if (model_.criterion().settlesAspect())
-      useful = model_.orientationAtCenter(forms).lower() < Real(0.0);
-    if (any(useful))
-      append(scaled(model_.orientation(forms), 3), useful, results, count);
-  }
-
-  /// The form over a power of the machine's scale, to be without unit: powers of two, which round nothing.
-  AffineForm<Real> scaled(const AffineForm<Real>& form, std::size_t power) const
-  {
-    const Real factor = per_scale_[power];
-    return { form.center * factor,
-             { form.gradient[0] * factor, form.gradient[1] * factor, form.gradient[2] * factor },
-             form.radius * factor };
-  }
-
-  static void begin(NecessaryForms* results, std::size_t count, Mask violated)
-  {
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-    {
-      results[lane].violated = violated[static_cast<int>(lane)];
-      results[lane].matrices = 0;
-      results[lane].forms = 0;
-    }
-  }
-
-  static void append(const AffineForm<Real>& form, Mask useful, NecessaryForms* results, std::size_t count)
-  {
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-      if (useful[static_cast<int>(lane)])
-        results[lane].form[results[lane].forms++] = laneOf(form, static_cast<int>(lane));
-  }
-
   MachineModel<Real> model_;
-  std::array<Real, 4> per_scale_;  ///< powers of about 1 / the longest strut
+  FormCollector<Real> collector_;
 };
 }  // namespace pkm_workspace
 

@@ -8,20 +8,21 @@
 
 namespace pkm_workspace
 {
-template <int W>
-void PackKernel<W>::look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const
+template <class Real>
+void PackKernel<Real>::look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts,
+                            PieceMotion* motions) const
 {
   for (std::size_t first = 0; first < count; first += W)
   {
     const std::size_t rest = count - first;
-    const SkewBox<Real> points = gather<W>(pieces + first, &CurvePiece::points, rest);
+    const SkewBox<Real> points = gather<Real>(pieces + first, &CurvePiece::points, rest);
     const MachineForms<Real> forms = model_.evaluate(points);
     Question question;
     const Verdicts found = look(forms, points, question);
     for (std::size_t lane = 0; lane < W && lane < rest; ++lane)
       verdicts[first + lane] = verdictOf(found, static_cast<int>(lane));
     if (motions)
-      scatter(rangesOver(model_, forms, points, gather<W>(pieces + first, &CurvePiece::tangents, rest)),
+      scatter(rangesOver(model_, forms, points, gather<Real>(pieces + first, &CurvePiece::tangents, rest)),
               motions + first, rest);
   }
 }

@@ -76,13 +76,12 @@ inline Real largestQuotient(const AffineForm<Real>& f, const AffineForm<Real>& g
 }
 
 /// All numbers where a radicand is not proved to be above its floor, and positive, on the whole piece.
-template <int W>
-inline PieceRanges<Pack<W>> rangesOver(const MachineModel<Pack<W>>& model, const MachineForms<Pack<W>>& forms,
-                                       const SkewBox<Pack<W>>& points, const SkewBox<Pack<W>>& tangent)
+template <class Real>
+inline PieceRanges<Real> rangesOver(const MachineModel<Real>& model, const MachineForms<Real>& forms,
+                                    const SkewBox<Real>& points, const SkewBox<Real>& tangent)
 {
-  using Real = Pack<W>;
   const Real infinite(std::numeric_limits<double>::infinity());
-  LaneMask<W> reaches = Real(1.0) > Real(0.0);
+  MaskOf<Real> reaches = Real(1.0) > Real(0.0);
   for (std::size_t i = 0; i < 3; ++i)
     reaches = reaches & (forms.radicand[i].lower() > max(model.floor(i), Real(0.0)));
   PieceRanges<Real> ranges;
@@ -98,16 +97,16 @@ inline PieceRanges<Pack<W>> rangesOver(const MachineModel<Pack<W>>& model, const
   return ranges;
 }
 
-template <int W>
-inline void scatter(const PieceRanges<Pack<W>>& ranges, PieceMotion* motions, std::size_t count)
+template <class Real>
+inline void scatter(const PieceRanges<Real>& ranges, PieceMotion* motions, std::size_t count)
 {
-  for (std::size_t lane = 0; lane < W && lane < count; ++lane)
+  for (std::size_t lane = 0; lane < Real::WIDTH && lane < count; ++lane)
     for (std::size_t i = 0; i < 3; ++i)
     {
       const int k = static_cast<int>(lane);
-      motions[lane].psi[i] = { ranges.psi[i].lower[k], ranges.psi[i].upper[k] };
-      motions[lane].joint[i] = { ranges.joint[i].lower[k], ranges.joint[i].upper[k] };
-      motions[lane].speed[i] = ranges.speed[i][k];
+      motions[lane].psi[i] = { ranges.psi[i].lower.below(k), ranges.psi[i].upper.above(k) };
+      motions[lane].joint[i] = { ranges.joint[i].lower.below(k), ranges.joint[i].upper.above(k) };
+      motions[lane].speed[i] = ranges.speed[i].above(k);
     }
 }
 }  // namespace pkm_workspace

@@ -29,23 +29,28 @@ constexpr int LESSONS = 24;
 constexpr std::int64_t LONG_SEARCH = 512;
 /// Looks that lower the bounds of open boxes when a search is ended early.
 constexpr int LAST_LOOKS = 256;
-/// Boxes of centers narrower than this, relative to the longest strut, are beyond what doubles can settle.
-constexpr double LEAST_WIDTH = 1e-13;
-/// The finest accuracy that is tried, as a length relative to the longest strut.
+/// The finest accuracies that are tried in doubles and with multi-precision, as lengths relative to the longest strut.
+/// Sizes are doubles.
 constexpr double LEAST_ACCURACY = 1e-12;
+constexpr double LEAST_PRECISE_ACCURACY = 5e-14;
+
+double leastAccuracy(const RegionQuery& query)
+{
+  return query.precision == Precision::DOUBLE ? LEAST_ACCURACY : LEAST_PRECISE_ACCURACY;
+}
 }  // namespace
 
 CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known,
                            std::int64_t verification_boxes)
   : query_(query)
-  , test_(machine, query.criterion)
+  , test_(machine, query.criterion, query.precision)
   , space_(centerSpace(machine, query))
   , witnesses_(*query.shape)
   , center_tests_(WAVE, CenterTest(test_, *query.shape, witnesses_))
   , local_search_(test_, *query.shape, witnesses_, space_.centers)
   , pool_(query.budget.threads)
   , scale_(machine.scale())
-  , accuracy_(std::max(query.accuracy, LEAST_ACCURACY * scale_ / query.shape->halfExtents().maxCoeff()))
+  , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().maxCoeff()))
   , most_verification_boxes_(verification_boxes > 0 ? verification_boxes : std::numeric_limits<std::int64_t>::max())
   , begin_(std::chrono::steady_clock::now())
   , zero_(machine.zero())
@@ -197,13 +202,12 @@ void CenterSearch::settle(const Node& node, double size, const Look& look)
   tryCenter(node.centers, target());
   if (boxes_ >= LONG_SEARCH && look.bound == node.bound)
     tryCenter(node.centers, 0.5 * (target() + node.bound));
-  const int axis = node.centers.widestAxis();
-  if (node.centers.width(axis) < LEAST_WIDTH * scale_ || !node.centers.canBisect(axis))
+  if (test_.isBeyondPrecision(node.centers))
   {
     unsettled_bound_ = std::max(unsettled_bound_, look.bound);
     return;
   }
-  const auto halves = node.centers.bisect(axis);
+  const auto halves = node.centers.bisect(node.centers.widestAxis());
   open_.push({ halves.first, look.bound, look.room });
   open_.push({ halves.second, look.bound, look.room });
 }

@@ -83,6 +83,14 @@ bool CenterTest::addCuts()
 
 bool CenterTest::excludes(const Box& centers, double size)
 {
+  if (excludes(centers, size, test_.kernel()))
+    return true;
+  const BoxKernel* finer = test_.finerKernel(centers);
+  return finer && excludes(centers, size, *finer);
+}
+
+bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kernel)
+{
   forms_.clear();
   programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
   room_ = ROOM;
@@ -96,7 +104,7 @@ bool CenterTest::excludes(const Box& centers, double size)
   }
   const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
   necessary_.resize(places.size());
-  test_.kernel().necessaryForms(box, size, places.data(), places.size(), necessary_.data());
+  kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data());
   for (const NecessaryForms& necessary : necessary_)
     if (addNecessary(necessary))
       return true;

@@ -13,8 +13,6 @@ namespace pkm_workspace
 {
 namespace
 {
-/// Parts narrower than this, relative to the longest strut, are beyond what doubles can settle.
-constexpr double LEAST_WIDTH = 1e-13;
 /// Steps of one local search for a bad point.
 constexpr int STEPS = 8;
 /// Parts that are looked at side by side.
@@ -120,6 +118,10 @@ private:
                      [&](const Box& part) { return shape_.halfSpace(part, center_, size_); });
     test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data(),
                             shape_.isPolytope() ? nullptr : within.data());
+    for (std::size_t k = 0; k < count; ++k)
+      if (verdicts[k] == BoxVerdict::UNDECIDED)
+        if (const BoxKernel* finer = test_.finerKernel(parts[k]))
+          finer->classify(&parts[k], 1, &verdicts[k], &worst[k], shape_.isPolytope() ? nullptr : &within[k]);
     result_.boxes += static_cast<std::int64_t>(count);
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))
@@ -159,8 +161,7 @@ private:
 
   bool divide(const Box& part, const AffineForm<double>& worst)
   {
-    const int widest = part.widestAxis();
-    if (part.width(widest) < LEAST_WIDTH * std::sqrt(test_.model().squaredScale()) || !part.canBisect(widest))
+    if (test_.isBeyondPrecision(part))
       return false;
     const Cut cut = cutOff(part, worst);
     const auto halves = part.splitAt(cut.axis, cut.plane);

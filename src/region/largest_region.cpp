@@ -69,7 +69,9 @@ void conclude(LargestRegion& region, double accuracy, bool stopped)
     region.message = "no region as large as the accuracy exists where the center may lie, proved";
   }
   else if (!stopped)
-    region.message = "the accuracy is below what double precision can settle for this machine: ask for a coarser one";
+    region.message =
+        "the accuracy is below what this precision can settle for this machine: ask for a coarser one, or for "
+        "multi-precision";
   else
     region.message =
         "the time limit, the box budget or a stop request ended the search: the bracket holds, but is wide";

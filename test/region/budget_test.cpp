@@ -62,7 +62,7 @@ TEST(Budget, anAccuracyBelowDoublesIsSaidToBe)
   query.budget.max_boxes = 20000;
   const LargestRegion region = findLargestRegion(orthoglide(), query);
   expectHonest(region);
-  EXPECT_NE(region.message.find("below what double precision can settle"), std::string::npos) << region.message;
+  EXPECT_NE(region.message.find("below what this precision can settle"), std::string::npos) << region.message;
   EXPECT_LT(region.size_upper_bound - region.size, 1e-9);
 }
 

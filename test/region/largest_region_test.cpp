@@ -238,4 +238,21 @@ TEST(LargestRegion, atAGivenCenter)
   const double edge = 2.0 * 0.25 / std::sqrt(1.125);
   expectHolds(region, edge);
 }
+
+// What doubles report as beyond them, with the bracket as far as they got, multi-precision settles.
+TEST(LargestRegion, multiPrecisionGoesOnWhereDoublesEnd)
+{
+  RegionQuery wanted = query(makeCube(), 1e-13);
+  const LargestRegion doubles = findLargestRegion(orthoglide(), wanted);
+  EXPECT_EQ(doubles.status, LargestRegion::Status::STOPPED);
+  EXPECT_NE(doubles.message.find("multi-precision"), std::string::npos) << doubles.message;
+  EXPECT_LE(doubles.size_upper_bound - doubles.size, 1e-11);
+  wanted.precision = Precision::MULTIPLE;
+  const LargestRegion multiple = findLargestRegion(orthoglide(), wanted);
+  expectProven(multiple, wanted);
+  EXPECT_LE(multiple.size, CUBE_EDGE.upper());
+  EXPECT_GE(multiple.size_upper_bound, CUBE_EDGE.lower());
+  EXPECT_GE(multiple.size, doubles.size);
+  EXPECT_LE(multiple.size_upper_bound, doubles.size_upper_bound);
+}
 }  // namespace pkm_workspace

@@ -23,8 +23,9 @@ enum class BoxVerdict : unsigned char
 /// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
 struct NecessaryForms
 {
-  /// 2 for the factors, 3 each for the reach and the condition number, 1 for the aspect, 6 for the joint limits.
-  static constexpr std::size_t MOST = 15;
+  /// 2 for the factors (8 from multi-precision), 3 each for the reach and the condition number, 1 for the aspect, 6 for
+  /// the joint limits.
+  static constexpr std::size_t MOST = 21;
 
   bool violated = false;                         ///< no point of the box can satisfy the criterion, proved
   std::size_t matrices = 0;                      ///< one for each side on which the factors are bounded
@@ -59,6 +60,10 @@ public:
   virtual void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
                        double* results) const = 0;
 };
+
+/// The kernel in multi-precision, one box at a time and some thousand times slower: for what doubles cannot settle. Its
+/// forms are in doubles, rounded last.
+std::unique_ptr<const BoxKernel> preciseKernel(const Machine& machine, const Criterion& criterion);
 
 /// The kernels that this processor can run, the fastest first.
 std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& model);

@@ -45,7 +45,7 @@ AffineForm<Real> MachineModel<Real>::level(const MachineForms<Real>& forms, cons
   const Real largest = factors.largest.value;
   const Real least = max(factors.least.value, Real(1e-12) * largest);
   AffineForm<Real> level;
-  level.center = sqrt(least * largest * per_kappa_squared_.value);
+  level.center = sqrt(least * largest * per_kappa_squared_);
   const auto relativeSlope = [&](const std::array<Real, 3>& u, const Real& value, std::size_t j) {
     Real slope(0);
     for (std::size_t i = 0; i < 3; ++i)
@@ -95,8 +95,9 @@ void MachineModel<Real>::conditionForms(const MachineForms<Real>& forms, Conditi
     condition.upper[3 + i] = -a_a[3 + i];
   }
   const auto balance = [&](const std::array<Real, 3>& u, const std::array<Real, 3>& v) {
-    return quadraticForm(a_a, u) * quadraticForm(b_b, v) -
-           per_kappa_squared_ * (quadraticForm(a_a, v) * quadraticForm(b_b, u));
+    const AffineForm<Real> difference = kappa_squared_ * (quadraticForm(a_a, u) * quadraticForm(b_b, v)) -
+                                        quadraticForm(a_a, v) * quadraticForm(b_b, u);
+    return Enclosed<Real>(per_kappa_squared_, Real(0)) * difference;
   };
   condition.necessary = { balance(factors.least.vector, factors.largest.vector),
                           balance(factors.least.vector, factors.middle),

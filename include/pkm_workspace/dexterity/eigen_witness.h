@@ -78,6 +78,13 @@ inline Real leastEigenvalue(const Symmetric<Real>& m)
   return mean + spread * t;
 }
 
+/// How often an eigenvector of that type is made more exact: double has enough from the start.
+template <class Real>
+constexpr int polishings()
+{
+  return std::is_same<typename rounding::ScalarOf<Real>::Type, double>::value ? 0 : 3;
+}
+
 /// A vector across the given one.
 template <class Real>
 inline Vector<Real> across(const Vector<Real>& v)
@@ -86,13 +93,11 @@ inline Vector<Real> across(const Vector<Real>& v)
   return { select(first, -v[1], Real(0)), select(first, v[0], -v[2]), select(first, Real(0), v[1]) };
 }
 
-/// The pair of the least eigenvalue, in closed form: the vector is across the rows of M - value I, or, where these are
-/// one (a double eigenvalue), any across that; the value is then the vector's Rayleigh quotient.
+/// A unit vector across the rows of M - value I, or, where these are one (a double eigenvalue), any across that.
 template <class Real>
-inline Eigenpair<Real> leastEigenpair(const Symmetric<Real>& m)
+inline Vector<Real> eigenvectorNear(const Symmetric<Real>& m, const Real& value)
 {
   using std::sqrt;
-  const Real value = leastEigenvalue(m);
   const Vector<Real> x = { m[0] - value, m[5], m[4] };
   const Vector<Real> y = { m[5], m[1] - value, m[3] };
   const Vector<Real> z = { m[4], m[3], m[2] - value };
@@ -108,6 +113,16 @@ inline Eigenpair<Real> leastEigenpair(const Symmetric<Real>& m)
   const Real scale = Real(1) / sqrt(dot(v, v));
   for (auto& component : v)
     component = component * scale;
+  return v;
+}
+
+/// The pair of the least eigenvalue, in closed form; the value is the vector's Rayleigh quotient.
+template <class Real>
+inline Eigenpair<Real> leastEigenpair(const Symmetric<Real>& m)
+{
+  Vector<Real> v = eigenvectorNear(m, leastEigenvalue(m));
+  for (int step = 0; step < polishings<Real>(); ++step)
+    v = eigenvectorNear(m, product(v, m, v));
   return { product(v, m, v), v };
 }
 

@@ -44,7 +44,7 @@ struct ExtremeFactors
 
 /// What bounds the condition number psi_3 / psi_1 <= kappa on a box. With one affine level t for psi_1^2 the condition
 /// holds wherever A A^T - t B^2 and kappa^2 t B^2 - A A^T are both definite; and for any two vectors u and v it makes
-/// (u^T A A^T u)(v^T B^2 v) - (v^T A A^T v)(u^T B^2 u) / kappa^2 >= 0, by the quotients of Rayleigh.
+/// kappa^2 (u^T A A^T u)(v^T B^2 v) - (v^T A A^T v)(u^T B^2 u) >= 0, by the quotients of Rayleigh.
 template <class Real>
 struct ConditionForms
 {
@@ -136,8 +136,8 @@ private:
   std::array<LegModel, 3> legs_;
   Enclosed<Real> psi_max_squared_;
   Enclosed<Real> minus_psi_min_squared_;
-  Enclosed<Real> per_kappa_squared_;
   Enclosed<Real> kappa_squared_;
+  Real per_kappa_squared_ = Real(0);  ///< nearly its inverse: only scales
   Enclosed<Real> aspect_sign_;
   Real squared_scale_ = Real(1);
 };

@@ -12,9 +12,9 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
   : criterion_(validated(criterion))
   , psi_max_squared_(criterion.boundsAbove() ? squared<Real>(criterion.largestFactor()) : Enclosed<Real>())
   , minus_psi_min_squared_(criterion.boundsBelow() ? -squared<Real>(criterion.leastFactor()) : Enclosed<Real>())
-  , per_kappa_squared_(criterion.boundsCondition() ? squared<Real>(Interval(1.0) / Interval(criterion.kappa_max))
-                                                   : Enclosed<Real>())
   , kappa_squared_(squared<Real>(criterion.kappa_max))
+  , per_kappa_squared_(criterion.boundsCondition() ? Real(1) / (Real(criterion.kappa_max) * Real(criterion.kappa_max))
+                                                   : Real(0))
   , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
 {
@@ -47,8 +47,8 @@ MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
   : criterion_(model.criterion_)
   , psi_max_squared_(model.psi_max_squared_)
   , minus_psi_min_squared_(model.minus_psi_min_squared_)
-  , per_kappa_squared_(model.per_kappa_squared_)
   , kappa_squared_(model.kappa_squared_)
+  , per_kappa_squared_(model.per_kappa_squared_)
   , aspect_sign_(model.aspect_sign_)
   , squared_scale_(model.squared_scale_)
 {
@@ -180,7 +180,7 @@ Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
   if (criterion_.boundsCondition())
   {
     const ExtremeFactors<Real> factors = extremeFactors(at.radicand, gram);
-    margin = min(margin, factors.least.value - per_kappa_squared_.value * factors.largest.value);
+    margin = min(margin, factors.least.value - per_kappa_squared_ * factors.largest.value);
   }
   return margin;
 }

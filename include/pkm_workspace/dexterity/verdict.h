@@ -9,18 +9,34 @@
 
 namespace pkm_workspace
 {
+/// The arithmetic of verdicts: doubles only, or doubles first and multi-precision for the boxes that these leave open.
+enum class Precision
+{
+  DOUBLE,
+  MULTIPLE,
+};
+
 /// Verdicts on boxes for one machine and one criterion. Each is a theorem or UNDECIDED; there is no tolerance.
 /// Thread-safe: constant after construction.
 class BoxTest
 {
 public:
+  /// Boxes narrower than this, relative to the longest strut, may need multi-precision.
+  static constexpr double NARROW = 1e-8;
+
   /// @throws std::invalid_argument when the criterion is not valid
-  BoxTest(const Machine& machine, const Criterion& criterion);
+  BoxTest(const Machine& machine, const Criterion& criterion, Precision precision = Precision::DOUBLE);
 
   const MachineModel<double>& model() const { return model_; }
 
   /// The arithmetic for many boxes at a time.
   const BoxKernel& kernel() const { return *kernel_; }
+
+  /// The arithmetic for a box that doubles have left undecided; nullptr where they have to be enough.
+  const BoxKernel* finerKernel(const Box& box) const;
+
+  /// Whether a part of a proof is too narrow for what any arithmetic at hand could settle.
+  bool isBeyondPrecision(const Box& box) const;
 
   /// One look at the box as a whole, without subdivision.
   BoxVerdict classify(const Box& box) const;
@@ -36,5 +52,7 @@ public:
 private:
   MachineModel<double> model_;
   std::shared_ptr<const BoxKernel> kernel_;
+  std::shared_ptr<const BoxKernel> precise_kernel_;
+  double scale_;  ///< the longest strut [m]
 };
 }  // namespace pkm_workspace

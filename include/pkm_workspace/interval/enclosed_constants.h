@@ -36,7 +36,7 @@ struct EnclosedVector
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      value[k] = v[k].mid();
+      value[k] = Real(v[k].mid());
       radius = std::max(radius, Real(v[k].radius()));
     }
   }
@@ -62,7 +62,7 @@ struct EnclosedMatrix
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)
       {
-        value[i][k] = m[i][k].mid();
+        value[i][k] = Real(m[i][k].mid());
         radius = std::max(radius, Real(m[i][k].radius()));
         magnitude = std::max(magnitude, Real(m[i][k].magnitude()));
       }

@@ -52,6 +52,7 @@ struct LaneMask
 template <int W>
 struct Pack
 {
+  static constexpr int WIDTH = W;
   using Lanes = typename LanesOf<W>::Numbers;
   Lanes lanes;
 
@@ -72,6 +73,9 @@ struct Pack
   }
 
   double operator[](int lane) const { return lanes[lane]; }
+  /// Doubles on either side of a lane's number, here itself.
+  double below(int lane) const { return lanes[lane]; }
+  double above(int lane) const { return lanes[lane]; }
 
   friend Pack operator-(Pack a) { return Pack(-a.lanes); }
   friend Pack operator+(Pack a, Pack b) { return Pack(a.lanes + b.lanes); }

@@ -36,6 +36,7 @@ public:
   bool isPromising(const Eigen::Vector3d& center, double size);
 
 private:
+  bool excludes(const Box& centers, double size, const BoxKernel& kernel);
   bool addNecessary(const NecessaryForms& necessary);
   bool add(const AffineForm<double>& form);
   bool combinationExcludes();

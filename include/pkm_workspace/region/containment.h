@@ -15,7 +15,7 @@ enum class Containment
 {
   INSIDE,     ///< every point of the region satisfies the criterion, proved
   OUTSIDE,    ///< a point of the region is proved to violate it
-  UNDECIDED,  ///< the budget or the precision of doubles ended the proof
+  UNDECIDED,  ///< the budget or the precision ended the proof
 };
 
 struct ContainmentResult

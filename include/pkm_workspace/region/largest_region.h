@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/joint_ranges.h"
 #include "pkm_workspace/region/shape.h"
 
@@ -38,9 +38,10 @@ struct RegionQuery
   ShapePtr shape = makeCube();
   std::optional<RatioRange> ratio;  ///< of a cylinder whose ratio is free: then the largest volume counts
   Criterion criterion;
-  double accuracy = 1e-3;         ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
-  std::optional<Box> search_box;  ///< bounds the center [m]; a side may have zero width
-  Budget budget;                  ///< max_boxes counts boxes of centers
+  double accuracy = 1e-3;  ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
+  Precision precision = Precision::DOUBLE;
+  std::optional<Box> search_box;                        ///< bounds the center [m]; a side may have zero width
+  Budget budget;                                        ///< max_boxes counts boxes of centers
   std::function<void(const RegionProgress&)> progress;  ///< called about ten times a second, if given
 
   void validate(Problems& problems) const;
@@ -56,7 +57,7 @@ struct LargestRegion
   enum class Status
   {
     PROVEN,   ///< size_upper_bound - size <= accuracy
-    STOPPED,  ///< a budget, the stop flag or the precision of doubles ended the search; the bracket holds all the same
+    STOPPED,  ///< a budget, the stop flag or the precision ended the search; the bracket holds all the same
     NONE,     ///< no region of size >= accuracy exists, proved; size is 0
   };
 
