@@ -37,6 +37,8 @@ const NamedCommand COMMANDS[] = {
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },
   { "study", "the best machine of a family with one parameter", makeStudy },
+  { "singularities", "that there are none, or where one is", makeSingularities },
+  { "conditioning", "the global conditioning index of a region or of the whole set", makeConditioning },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
 };
 

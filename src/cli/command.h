@@ -40,6 +40,8 @@ std::unique_ptr<Command> makeCheck();
 std::unique_ptr<Command> makePave();
 std::unique_ptr<Command> makeCompare();
 std::unique_ptr<Command> makeStudy();
+std::unique_ptr<Command> makeSingularities();
+std::unique_ptr<Command> makeConditioning();
 std::unique_ptr<Command> makeUrdf();
 }  // namespace cli
 }  // namespace pkm_workspace

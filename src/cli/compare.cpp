@@ -16,17 +16,9 @@ namespace
 /// Relative.
 constexpr double VOLUME_ACCURACY = 5e-3;
 
-Json jsonOf(const SingularityAnswer& answer)
-{
-  const bool proved = answer.status == SingularityAnswer::Status::PROVED;
-  return { { "exists", answer.status == SingularityAnswer::Status::UNDECIDED ? Json() : Json(proved) },
-           { "least", toJson(answer.least) },
-           { "box", proved ? toJson(*answer.box) : Json() } };
-}
-
 Json jsonOf(const Singularities& found)
 {
-  return { { "serial", jsonOf(least(found.serial)) }, { "parallel", jsonOf(found.parallel) } };
+  return { { "serial", toJson(least(found.serial)) }, { "parallel", toJson(found.parallel) } };
 }
 
 Json jsonOf(const Comparison& study)

@@ -146,6 +146,14 @@ SingularityAnswer least(const std::array<SingularityAnswer, 3>& serial)
   return all;
 }
 
+Json toJson(const SingularityAnswer& answer)
+{
+  const bool proved = answer.status == SingularityAnswer::Status::PROVED;
+  return { { "exists", answer.status == SingularityAnswer::Status::UNDECIDED ? Json() : Json(proved) },
+           { "least", toJson(answer.least) },
+           { "box", proved ? toJson(*answer.box) : Json() } };
+}
+
 Json toJson(const Interval& value)
 {
   return value.isEmpty() ? Json() : Json{ finite(value.lower()), finite(value.upper()) };

@@ -50,6 +50,8 @@ std::string verdictOn(const SingularityAnswer& answer);
 /// The three kinds of serial singularity as one: of the least |eta_i|.
 SingularityAnswer least(const std::array<SingularityAnswer, 3>& serial);
 
+/// exists: null when undecided; least; box.
+Json toJson(const SingularityAnswer& answer);
 /// Two numbers [lower, upper], null for an end that is not known, or null for an empty set.
 Json toJson(const Interval& value);
 /// As bracket(), also where an end is not known.

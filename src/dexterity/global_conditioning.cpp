@@ -52,6 +52,7 @@ public:
 
   GlobalConditioning run(const Box& box)
   {
+    result_.dimension = static_cast<int>((box.lower.array() < box.upper.array()).count());
     addAll({ box });
     for (std::size_t next_look = 0; !parts_.empty() && !isOver();)
     {

@@ -11,6 +11,7 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
   , regions_(context_)
   , pavings_(context_)
   , singularities_(context_)
+  , conditioning_(context_)
   , criterion_(context_, [this] { regions_.computeOwn(); })
   , diagnostics_(context_)
 {}

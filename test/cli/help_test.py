@@ -24,6 +24,10 @@ OPTIONS = {
                                                                          "accuracy"},
     "study": MACHINE | CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
+    "singularities": MACHINE | (BUDGET - {"progress"}) | COMMON
+    | {"shape", "proportions", "ratio", "center", "size", "aspect", "joint-limits", "accuracy"},
+    "conditioning": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON
+    | {"shape", "proportions", "ratio", "center", "size", "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pkm_workspace/ros/conditioning_service.h"
 #include "pkm_workspace/ros/criterion_service.h"
 #include "pkm_workspace/ros/diagnostics.h"
 #include "pkm_workspace/ros/node_context.h"
@@ -31,6 +32,7 @@ private:
   RegionService regions_;
   PavingService pavings_;
   SingularityService singularities_;
+  ConditioningService conditioning_;
   CriterionService criterion_;
   Diagnostics diagnostics_;
 };

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/ComputeConditioning.h>
+
+#include "pkm_workspace/ros/node_context.h"
+
+namespace pkm_workspace
+{
+/// ~compute_conditioning.
+class ConditioningService
+{
+public:
+  /// Advertises. @param context has to outlive this object, its threads have to end before
+  explicit ConditioningService(NodeContext& context);
+
+private:
+  void compute(const ComputeConditioning::Request& request, ComputeConditioning::Response& response);
+
+  NodeContext& context_;
+  ros::ServiceServer service_;
+};
+}  // namespace pkm_workspace

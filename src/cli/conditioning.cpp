@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.h"
+#include "comparison.h"
+#include "output.h"
+#include "pkm_workspace/paving/workspace_conditioning.h"
+#include "pkm_workspace/region/region_parts.h"
+#include "progress.h"
+#include "region_option.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+class Conditioning : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Encloses the global conditioning index: the mean of 1 / kappa, kappa the condition number of J, over a "
+           "region given by --shape, --center and --size, or over all points of the criterion's set. 1 is isotropic "
+           "everywhere, 0 singular everywhere. Flat regions, and the sections of machines that do not change along "
+           "their rails, are averaged over their area. With --json: index and measure (the volume of what was averaged "
+           "over) as [lower, upper], complete, boxes, seconds.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm conditioning --urdf orthoglide.urdf --shape cube --center 0.0863 0.0863 0.0863 --size 0.6439",
+             "pkm conditioning --urdf orthoglide.urdf --accuracy 0.05" };
+  }
+
+  void declare(Options& options) override
+  {
+    machine_.declare(options);
+    region_.declare(options);
+    declareCriterion(options, criterion_);
+    options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
+    declareBudget(options, query_.budget);
+  }
+
+  Words warnings() const override { return machine_.warnings(); }
+
+  Answer answer() override
+  {
+    query_.budget.stop = stopOnSignal();
+    const Machine& machine = machine_.machine();
+    const GlobalConditioning found =
+        region_.given() ? globalConditioning(machine, *region_.shape(), region_.center(), region_.size(), query_)
+                        : workspaceConditioning(machine, criterion_, query_);
+    Json json = contextOf(machine, criterion_);
+    json["over"] = region_.given() ? "region" : "set";
+    json["index"] = toJson(found.index);
+    json["measure"] = toJson(found.measure);
+    json["accuracy"] = query_.accuracy;
+    json["complete"] = found.complete;
+    json["boxes"] = found.boxes;
+    json["seconds"] = found.seconds;
+    return { json, print(found) };
+  }
+
+private:
+  std::string print(const GlobalConditioning& found) const
+  {
+    const std::string over = region_.given() ? "the " + region_.shape()->name() : "the set";
+    const std::vector<Words> rows = { { "global conditioning index", describe(found.index) },
+                                      { "averaged over", describe(found.measure) + " m^" +
+                                                             std::to_string(found.dimension) + ", the measure of " +
+                                                             over },
+                                      { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
+    return aligned(rows, Align::LEFT) +
+           (found.complete ? "" : "The accuracy was not met: a limit ended it, or the set has no proved volume.\n") +
+           (region_.given() ? "" : "\n" + wrapped(definition(criterion_)));
+  }
+
+  MachineOptions machine_;
+  RegionOption region_;
+  Criterion criterion_;
+  ConditioningQuery query_;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeConditioning()
+{
+  return std::make_unique<Conditioning>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace

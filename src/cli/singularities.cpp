@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.h"
+#include "comparison.h"
+#include "output.h"
+#include "pkm_workspace/region/region_parts.h"
+#include "progress.h"
+#include "region_option.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+class FindThem : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Proves that no point of a region, or no point that the struts reach, is singular, or a box in which one "
+           "is. "
+           "Serial: a strut at right angles to its rail, eta_i = 0. Parallel: struts in parallel planes, det A = 0. "
+           "With "
+           "--json: serial (one for each leg) and parallel, each with exists (true, false, or null when undecided), "
+           "least (bounds of the least |eta_i| or |det A|) and box.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm singularities --urdf orthoglide.urdf --joint-limits on",
+             "pkm singularities --urdf orthoglide.urdf --shape cube --center 0.0863 0.0863 0.0863 --size 0.6439" };
+  }
+
+  void declare(Options& options) override
+  {
+    machine_.declare(options);
+    region_.declare(options);
+    options.choice("aspect", aspect_, { "own", "other", "both" },
+                   "sign of det A at the points that count; a parallel singularity lies between the two");
+    options.onOff("joint-limits", limits_, "whether only points within the URDF's joint limits count");
+    options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
+                   "wanted width of each enclosure, relative to its upper end");
+    declareBudget(options, query_.budget);
+  }
+
+  Words warnings() const override { return machine_.warnings(); }
+
+  Answer answer() override
+  {
+    const Machine& machine = machine_.machine();
+    SingularityQuery query = query_;
+    if (region_.given())
+    {
+      const SingularityQuery within = singularitiesOver(region_.shape(), region_.center(), region_.size());
+      query.box = within.box;
+      query.part = within.part;
+    }
+    query.joint_limits = limits_;
+    query.aspect = aspect_ == "own"     ? Criterion::Aspect::OWN
+                   : aspect_ == "other" ? Criterion::Aspect::OTHER
+                                        : Criterion::Aspect::BOTH;
+    query.budget.stop = stopOnSignal();
+    const Singularities found = findSingularities(machine, query);
+    Criterion criterion;
+    criterion.set = Criterion::Set::REACHABLE;
+    criterion.aspect = query.aspect;
+    criterion.joint_limits = limits_;
+    Json json = contextOf(machine, criterion);
+    json["over"] = region_.given() ? "region" : "set";
+    json["serial"] = Json::array();
+    for (const SingularityAnswer& leg : found.serial)
+      json["serial"].push_back(toJson(leg));
+    json["parallel"] = toJson(found.parallel);
+    json["seconds"] = found.seconds;
+    return { json, print(found) };
+  }
+
+private:
+  std::string print(const Singularities& found) const
+  {
+    const Machine& machine = machine_.machine();
+    std::vector<Words> rows = { { "singularities", "exist", "least measure" } };
+    const auto add = [&rows](const std::string& what, const SingularityAnswer& answer, const std::string& measure) {
+      rows.push_back({ what, verdictOn(answer), measure + " " + describe(answer.least) });
+    };
+    for (int i = 0; i < 3; ++i)
+      add("serial, " + machine.leg(i).joint, found.serial[static_cast<std::size_t>(i)], "|eta| [m]");
+    add("parallel", found.parallel, "|det A| [m^3]");
+    return "Singularities of machine '" + machine.name() + "' " +
+           (region_.given() ? "in the " + region_.shape()->name() : "at all points that the struts reach") +
+           (limits_ ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           wrapped("Proved by interval analysis: none, or one within a box around the point that is told. " +
+                   seconds(found.seconds) + ".");
+  }
+
+  MachineOptions machine_;
+  RegionOption region_;
+  SingularityQuery query_;
+  std::string aspect_ = "both";
+  bool limits_ = false;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeSingularities()
+{
+  return std::make_unique<FindThem>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace

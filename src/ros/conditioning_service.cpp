@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/conditioning_service.h"
+
+#include <ros/console.h>
+
+#include <sstream>
+
+#include "pkm_workspace/paving/workspace_conditioning.h"
+#include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/solid_message.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Request = ComputeConditioning::Request;
+
+bool isEmpty(const CriterionRequest& criterion)
+{
+  return criterion.set == 0 && criterion.psi_min == 0.0 && criterion.psi_max == 0.0 && criterion.force_min == 0.0 &&
+         criterion.force_max == 0.0 && criterion.kappa_max == 0.0 && criterion.joint_limits == 0;
+}
+
+/// Refuses what is set and without effect.
+void requireUnused(const Request& request, Problems& problems)
+{
+  if (request.over > Request::REGION)
+    problems.push_back("over = " + std::to_string(request.over) + " must be SET = 0 or REGION = 1");
+  if (request.over == Request::REGION && (!isEmpty(request.criterion) || request.aspect != Request::OWN))
+    problems.push_back("criterion and aspect must be 0 unless over = SET: all points of a region count");
+  if (request.over != Request::REGION &&
+      (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))
+    problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
+}
+
+std::string sentence(const GlobalConditioning& found)
+{
+  std::ostringstream text;
+  text.precision(6);
+  text << "global conditioning index from " << found.index.lower() << " to " << found.index.upper()
+       << (found.complete ? ", to the accuracy asked for" : ": a limit or the size of the set ended it early");
+  return text.str();
+}
+}  // namespace
+
+ConditioningService::ConditioningService(NodeContext& context)
+  : context_(context)
+  , service_(offer<ComputeConditioning>(
+        context.computing, context.health, "compute_conditioning",
+        [this](const Request& request, ComputeConditioning::Response& response) { compute(request, response); }))
+{}
+
+void ConditioningService::compute(const Request& request, ComputeConditioning::Response& response)
+{
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id);
+  const bool of_region = request.over == Request::REGION;
+  const Budget& node = context_.parameters.query.budget;
+  ConditioningQuery query;
+  Problems problems;
+  requireUnused(request, problems);
+  Criterion criterion = fromMessage(request.criterion, context_.query().criterion, problems);
+  criterion.aspect = aspectOf(request.aspect, problems);
+  criterion.validate(problems);
+  query.accuracy = valueOr(request.accuracy, query.accuracy);
+  query.budget.threads = node.threads;
+  query.budget.time_limit = valueOr(request.time_limit, node.time_limit);
+  requireTimeLimit(query.budget.time_limit, node.time_limit, problems);
+  query.validate(problems);
+  if (of_region)
+    requireFinite("center", fromMessage(request.center), problems);
+  throwProblems(problems);
+  const StopFlag stop = context_.worker.makeStopFlag();
+  query.budget.stop = stop.get();
+  GlobalConditioning found;
+  if (of_region)
+  {
+    const Solid solid = fromMessage(request.solid);
+    found = globalConditioning(*in.machine, *solid.shape, fromMessage(request.center), solid.size, query);
+  }
+  else
+    found = workspaceConditioning(*in.machine, criterion, query);
+  response.header = headerOf(in, ros::Time::now());
+  response.hypotheses = hypothesesOf(in, criterion, query.accuracy);
+  response.index = toMessage(found.index);
+  response.measure = toMessage(found.measure);
+  response.complete = found.complete;
+  response.boxes = found.boxes;
+  response.seconds = found.seconds;
+  response.message = sentence(found);
+  ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
+  context_.health.noteComputation({ "conditioning", response.message, found.seconds, !found.complete });
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm conditioning and pkm singularities: brackets around known values, and what they refuse."""
+
+import unittest
+
+from pkm import ORTHOGLIDE, URANESX, CommandTest, run
+
+CUBE = ("--shape", "cube", "--center", "0.0863", "0.0863", "0.0863", "--size", "0.6439")
+
+
+class AnalysisTest(CommandTest):
+    def assertRefused(self, reason, *words):
+        process = run(*words)
+        self.assertEqual(process.returncode, 2, process.stdout)
+        self.assertRegex(process.stderr, reason)
+
+
+class Conditioning(AnalysisTest):
+    def test_index_of_the_largest_cube_closes_in(self):
+        last = [0.0, 1.0]
+        for accuracy in (0.1, 0.02):
+            answer = self.answer("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", accuracy)
+            lower, upper = answer["index"]
+            self.assertTrue(answer["complete"])
+            self.assertLessEqual(upper - lower, accuracy)
+            self.assertLessEqual(max(lower, last[0]), min(upper, last[1]))
+            self.assertBrackets(*[answer["measure"][0], 0.6439 ** 3, answer["measure"][1], 1e-12])
+            last = [lower, upper]
+
+    def test_a_point_like_region_has_the_index_of_its_point(self):
+        # values.md: at (t, t, t) with k = t / sqrt(1 - 2 t^2) = 1/4 the factors are 3/4 and 3/2
+        t = 0.25 / (1.0 + 2.0 / 16.0) ** 0.5
+        answer = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--shape", "cube", "--center", t, t, t,
+                             "--size", 1e-9)
+        self.assertBrackets(answer["index"][0], 0.5, answer["index"][1], 1e-8)
+
+    def test_the_whole_set_and_its_budget(self):
+        answer = self.answer("conditioning", "--urdf", URANESX, "--accuracy", 0.1)
+        self.assertTrue(answer["complete"])
+        self.assertEqual(answer["over"], "set")
+        self.assertBrackets(0.25, answer["index"][0], answer["index"][1])
+        stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--max-boxes", 100)
+        self.assertFalse(stopped["complete"])
+
+    def test_refusals(self):
+        for words, reason in (((*CUBE[:-2],), "--center and --size go together"),
+                              (("--shape", "sphere"), "--shape needs --center and --size"),
+                              ((*CUBE, "--accuracy", "0"), "accuracy.*> 0"),
+                              ((*CUBE[:-1], "-1"), "size.*> 0 m")):
+            self.assertRefused(reason, "conditioning", "--urdf", ORTHOGLIDE, *words)
+
+
+class Singularities(AnalysisTest):
+    def test_none_in_the_largest_cube(self):
+        answer = self.answer("singularities", "--urdf", ORTHOGLIDE, *CUBE)
+        for found in (*answer["serial"], answer["parallel"]):
+            self.assertIs(found["exists"], False)
+            self.assertGreater(found["least"][0], 0.0)
+
+    def test_one_among_all_reachable_points(self):
+        answer = self.answer("singularities", "--urdf", ORTHOGLIDE)
+        self.assertIs(answer["parallel"]["exists"], True)
+        for lower, upper in zip(answer["parallel"]["box"]["lower"], answer["parallel"]["box"]["upper"]):
+            self.assertLessEqual(lower, upper)
+        self.assertEqual(answer["over"], "set")
+        self.assertIn("parallel", self.text("singularities", "--urdf", ORTHOGLIDE))
+
+    def test_refusals(self):
+        self.assertRefused("needs --center and --size", "singularities", "--urdf", ORTHOGLIDE, "--shape", "cube")
+
+
+if __name__ == "__main__":
+    unittest.main()

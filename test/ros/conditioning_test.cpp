@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/ComputeConditioning.h>
+
+#include "node_client.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+using Request = ComputeConditioning::Request;
+
+Request overCube()
+{
+  Request request;
+  request.over = Request::REGION;
+  request.solid.type = shape_msgs::SolidPrimitive::BOX;
+  request.solid.dimensions = { 0.5, 0.5, 0.5 };
+  request.center.x = request.center.y = request.center.z = 0.086;
+  request.accuracy = 0.05;
+  return request;
+}
+}  // namespace
+
+TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
+{
+  const auto cube = call<ComputeConditioning>("compute_conditioning", overCube());
+  ASSERT_EQ(ErrorCode::SUCCESS, cube.error_code) << cube.message;
+  EXPECT_TRUE(cube.complete);
+  EXPECT_GT(cube.index.lower, 0.6);
+  EXPECT_LT(cube.index.upper, 0.75);
+  EXPECT_LE(cube.measure.lower, 0.125);
+  EXPECT_GE(cube.measure.upper, 0.125);
+  EXPECT_EQ("base_link", cube.header.frame_id);
+
+  Request request;
+  request.accuracy = 0.1;
+  const auto set = call<ComputeConditioning>("compute_conditioning", request);
+  ASSERT_EQ(ErrorCode::SUCCESS, set.error_code) << set.message;
+  EXPECT_GT(set.index.lower, 0.4);
+  EXPECT_LT(set.index.upper, 0.55);
+}
+
+TEST(ComputeConditioning, refusesWhatIsOutOfRangeOrWithoutEffect)
+{
+  Request request = overCube();
+  request.criterion.kappa_max = 2.0;
+  request.accuracy = -1.0;
+  const auto refused = call<ComputeConditioning>("compute_conditioning", request);
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, refused.error_code);
+  EXPECT_NE(std::string::npos, refused.message.find("criterion and aspect must be 0")) << refused.message;
+  EXPECT_NE(std::string::npos, refused.message.find("accuracy = -1")) << refused.message;
+}
+}  // namespace test
+}  // namespace pkm_workspace
