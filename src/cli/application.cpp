@@ -34,6 +34,7 @@ const NamedCommand COMMANDS[] = {
   { "evaluate", "how the machine stands at one tool point", makeEvaluate },
   { "largest", "the largest region of a shape in which every point is dextrous", makeLargest },
   { "check", "whether every point of a given box is dextrous", makeCheck },
+  { "path", "whether every point of a path of lines and arcs is dextrous", makePath },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },
   { "study", "the best machine of a family with one parameter", makeStudy },

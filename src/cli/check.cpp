@@ -14,20 +14,6 @@ namespace cli
 {
 namespace
 {
-const char* name(Containment verdict)
-{
-  switch (verdict)
-  {
-    case Containment::INSIDE:
-      return "inside";
-    case Containment::OUTSIDE:
-      return "outside";
-    case Containment::UNDECIDED:
-      return "undecided";
-  }
-  throw std::logic_error("a verdict without a name");
-}
-
 class Check : public Command
 {
 public:

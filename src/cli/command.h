@@ -37,6 +37,7 @@ public:
 std::unique_ptr<Command> makeEvaluate();
 std::unique_ptr<Command> makeLargest();
 std::unique_ptr<Command> makeCheck();
+std::unique_ptr<Command> makePath();
 std::unique_ptr<Command> makePave();
 std::unique_ptr<Command> makeCompare();
 std::unique_ptr<Command> makeStudy();

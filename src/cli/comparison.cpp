@@ -154,11 +154,6 @@ Json toJson(const SingularityAnswer& answer)
            { "box", proved ? toJson(*answer.box) : Json() } };
 }
 
-Json toJson(const Interval& value)
-{
-  return value.isEmpty() ? Json() : Json{ finite(value.lower()), finite(value.upper()) };
-}
-
 std::string describe(const Interval& value)
 {
   if (value.isEmpty())

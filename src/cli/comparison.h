@@ -52,8 +52,6 @@ SingularityAnswer least(const std::array<SingularityAnswer, 3>& serial);
 
 /// exists: null when undecided; least; box.
 Json toJson(const SingularityAnswer& answer);
-/// Two numbers [lower, upper], null for an end that is not known, or null for an empty set.
-Json toJson(const Interval& value);
 /// As bracket(), also where an end is not known.
 std::string describe(const Interval& value);
 }  // namespace cli

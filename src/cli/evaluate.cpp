@@ -13,54 +13,28 @@ namespace cli
 {
 namespace
 {
-/// The machine at one tool point: verdicts that are proved, and values in floating point.
-struct PointState
+/// Whether det A has the sign of the machine's own aspect.
+BoxVerdict ownAspect(const Machine& machine, const PointEvaluation& there)
 {
-  BoxVerdict reachable = BoxVerdict::UNDECIDED;
-  BoxVerdict dextrous = BoxVerdict::UNDECIDED;
-  BoxVerdict aspect_ok = BoxVerdict::UNDECIDED;  ///< whether det A has the sign of the machine's aspect
-  std::optional<Eigen::Vector3d> rho;            ///< joint values [m]
-  std::optional<Jacobians> jacobian;
-};
-
-BoxVerdict ownAspect(const Machine& machine, const Eigen::Vector3d& p)
-{
-  const auto configuration = configurationAt(machine, p);
-  if (!configuration || configuration->det_a.contains(0.0))
+  if (!there.has_values || there.det_a.contains(0.0))
     return BoxVerdict::UNDECIDED;
-  const int sign = configuration->det_a.certainlyPositive() ? 1 : -1;
+  const int sign = there.det_a.certainlyPositive() ? 1 : -1;
   return sign == machine.aspect() ? BoxVerdict::INSIDE : BoxVerdict::OUTSIDE;
 }
 
-PointState stateAt(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& p)
+std::string message(const Machine& machine, const PointEvaluation& there)
 {
-  Criterion reach;
-  reach.set = Criterion::Set::REACHABLE;
-  reach.aspect = Criterion::Aspect::BOTH;
-  PointState state;
-  state.reachable = BoxTest(machine, reach).classify(p);
-  state.dextrous = BoxTest(machine, criterion).classify(p);
-  if (state.reachable == BoxVerdict::OUTSIDE)
-    return state;
-  state.aspect_ok = ownAspect(machine, p);
-  state.rho = inverseKinematics(machine, p);
-  state.jacobian = jacobians(machine, p);
-  return state;
-}
-
-std::string message(const Machine& machine, const Criterion& criterion, const PointState& state,
-                    const Eigen::Vector3d& p)
-{
-  if (state.dextrous == BoxVerdict::INSIDE)
+  if (there.verdict == BoxVerdict::INSIDE)
     return "The point is dextrous.";
-  if (state.dextrous == BoxVerdict::UNDECIDED)
+  if (there.verdict == BoxVerdict::UNDECIDED)
     return "Whether the point is dextrous is not decided: it is within rounding of the border.";
-  const Words found = violations(machine, criterion, p);
+  const Words found = violations(machine, there);
   return "The point is not dextrous: " +
          (found.empty() ? "it misses a bound by less than the rounding of doubles" : joined(found, "; ")) + ".";
 }
 
-Json numbersOf(const Machine& machine, const PointState& state)
+/// In floating point.
+Json numbersOf(const Machine& machine, const Eigen::Vector3d& point)
 {
   Json json = { { "psi", Json() },
                 { "rho", Json() },
@@ -68,15 +42,17 @@ Json numbersOf(const Machine& machine, const PointState& state)
                 { "det_a", Json() },
                 { "serial_singularity", Json() },
                 { "parallel_singularity", Json() } };
-  if (state.rho)
-    json["rho"] = toJson(*state.rho);
-  if (!state.jacobian)
+  const auto rho = inverseKinematics(machine, point);
+  if (rho)
+    json["rho"] = toJson(*rho);
+  const auto jacobian = jacobians(machine, point);
+  if (!jacobian)
     return json;
-  const Eigen::Vector3d psi = transmissionFactors(*state.jacobian);
-  const SingularityMeasures measures = singularityMeasures(machine, *state.jacobian);
+  const Eigen::Vector3d psi = transmissionFactors(*jacobian);
+  const SingularityMeasures measures = singularityMeasures(machine, *jacobian);
   json["psi"] = toJson(psi);
   json["condition"] = psi[2] / psi[0];
-  json["det_a"] = state.jacobian->a.determinant();
+  json["det_a"] = jacobian->a.determinant();
   json["serial_singularity"] = measures.serial;
   json["parallel_singularity"] = measures.parallel;
   return json;
@@ -95,6 +71,12 @@ std::string text(const Json& value, const std::string& unit)
   return joined(words, "  ");
 }
 
+std::string bindingText(const Json& binding)
+{
+  const Json& joint = binding["joint"];
+  return binding["limit"].get<std::string>() + (joint.is_null() ? "" : " of '" + joint.get<std::string>() + "'");
+}
+
 std::string verdictText(const Json& value)
 {
   return value.is_null() ? "undecided" : text(value, " (proved)");
@@ -107,7 +89,8 @@ public:
   {
     return "Tells how the machine stands at one tool point: joint values, velocity transmission factors psi "
            "(singular values of J^-1), condition number of J, nearness to singularities, and whether the "
-           "point is dextrous. The verdicts are proved; the other numbers are in floating point.";
+           "point is dextrous, with the condition that binds there. The verdicts and the bounds that --json adds are "
+           "proved; the other numbers are in floating point.";
   }
 
   Words examples() const override { return { "pkm evaluate --urdf orthoglide.urdf --point -0.1 0 0.2" }; }
@@ -125,17 +108,20 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    const PointState state = stateAt(machine, criterion_, *point_);
+    const PointEvaluation there = evaluatePoint(machine, criterion_, *point_);
     Json json = contextOf(machine, criterion_);
-    json.update(numbersOf(machine, state));
+    json.update(numbersOf(machine, *point_));
     json["point"] = toJson(*point_);
-    json["reachable"] = toJson(state.reachable);
-    json["dextrous"] = toJson(state.dextrous);
-    json["aspect_ok"] = state.reachable == BoxVerdict::OUTSIDE ? Json() : toJson(state.aspect_ok);
+    json["reachable"] = toJson(there.reachable);
+    json["dextrous"] = toJson(there.verdict);
+    json["aspect_ok"] = there.reachable == BoxVerdict::OUTSIDE ? Json() : toJson(ownAspect(machine, there));
+    json["psi_bounds"] = there.has_values ? toJson(there.psi) : Json();
+    json["rho_bounds"] = there.has_values ? toJson(there.rho) : Json();
+    json["binding"] = toJson(machine, there.binding());
     json["joints"] = Json::array();
     for (const Leg& leg : machine.legs())
       json["joints"].push_back(leg.joint);
-    json["message"] = message(machine, criterion_, state, *point_);
+    json["message"] = message(machine, there);
     return { json, print(json) };
   }
 
@@ -155,6 +141,8 @@ private:
     add("serial", "serial_singularity", "   (least |eta| / L; 0 at a serial singularity)");
     add("parallel", "parallel_singularity", "   (|det A| / (L1 L2 L3); 0 at a parallel singularity)");
     add("det A", "det_a", " m^3");
+    rows.push_back(
+        { "binding", bindingText(json["binding"]) + "   (margin " + nearly(json["binding"]["margin"]) + ")" });
     return "Machine '" + machine_.machine().name() + "' at the tool point " + describe(*point_) + "\n\n" +
            aligned(rows, Align::LEFT) + "\n" + wrapped(json["message"]) + wrapped(definition(criterion_));
   }

@@ -42,6 +42,26 @@ Json finite(double value)
   return std::isfinite(value) ? Json(value) : Json();
 }
 
+Json toJson(const Interval& interval)
+{
+  return interval.isEmpty() ? Json() : Json::array({ finite(interval.lower()), finite(interval.upper()) });
+}
+
+Json toJson(const std::array<Interval, 3>& intervals)
+{
+  return Json::array({ toJson(intervals[0]), toJson(intervals[1]), toJson(intervals[2]) });
+}
+
+Json toJson(const Machine& machine, const Limit& limit)
+{
+  const auto middle = [](const Interval& x) { return x.isBounded() ? Json(x.mid()) : Json(); };
+  return { { "limit", pkm_workspace::name(limit.kind) },
+           { "joint", limit.leg < 0 ? Json() : Json(machine.leg(limit.leg).joint) },
+           { "value", middle(limit.value) },
+           { "bound", limit.bound },
+           { "margin", middle(limit.margin) } };
+}
+
 Json toJson(BoxVerdict verdict)
 {
   return verdict == BoxVerdict::UNDECIDED ? Json() : Json(verdict == BoxVerdict::INSIDE);
@@ -81,6 +101,11 @@ bool isSolid(const Shape& shape)
 std::string name(Criterion::Set set)
 {
   return set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";
+}
+
+std::string name(Containment verdict)
+{
+  return verdict == Containment::INSIDE ? "inside" : verdict == Containment::OUTSIDE ? "outside" : "undecided";
 }
 
 std::string definition(const Criterion& criterion)

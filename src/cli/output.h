@@ -2,12 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "values.h"
 
@@ -21,6 +23,11 @@ using Json = nlohmann::json;
 Json contextOf(const Machine& machine, const Criterion& criterion);
 Json toJson(const Eigen::Vector3d& v);
 Json toJson(const Box& box);
+/// [lower, upper], null for an end without bound; null for the empty set.
+Json toJson(const Interval& interval);
+Json toJson(const std::array<Interval, 3>& intervals);
+/// The condition, its joint or null, and value, bound and margin in floating point.
+Json toJson(const Machine& machine, const Limit& limit);
 /// null for an infinity.
 Json finite(double value);
 /// true for INSIDE, false for OUTSIDE, null for UNDECIDED.
@@ -33,6 +40,8 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges);
 bool isSolid(const Shape& shape);
 /// "dextrous" or "reachable".
 std::string name(Criterion::Set set);
+/// "inside", "outside" or "undecided".
+std::string name(Containment verdict);
 /// "proven", "stopped" or "none".
 std::string name(LargestRegion::Status status);
 /// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".

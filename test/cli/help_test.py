@@ -19,6 +19,7 @@ OPTIONS = {
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
+    "path": MACHINE | CRITERION | COMMON | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box", "max-memory", "save", "resume"},
     "compare": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON | {"paper", "shape", "proportions", "ratio",
                                                                          "accuracy"},

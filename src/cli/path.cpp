@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command.h"
+#include "common_options.h"
+#include "output.h"
+#include "path_text.h"
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/region/path_check.h"
+#include "progress.h"
+#include "violations.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+Json toJson(const PathMotion& motion)
+{
+  return { { "psi", cli::toJson(motion.psi) },
+           { "rho", cli::toJson(motion.joint) },
+           { "joint_speed", { motion.joint_speed[0], motion.joint_speed[1], motion.joint_speed[2] } } };
+}
+
+class Path : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Tells whether every point of a path is dextrous: inside, outside or undecided, for the path and each of "
+           "its segments; where it first offends, and which condition binds there; and over the whole path bounds of "
+           "the velocity transmission factors, of the joint values, and of the joint speeds at the tool's speed. All "
+           "of this is proved, and there is no tolerance. A path is written in lines: " +
+           std::string(PATH_GRAMMAR) + ".";
+  }
+
+  Words examples() const override
+  {
+    return {
+      "pkm path --urdf orthoglide.urdf --segment 'start 0 0 0' --segment 'line 0.1 0 0' --segment 'arc 0.2 0.1 "
+      "0 0.1 0.2 0'"
+    };
+  }
+
+  void declare(Options& options) override
+  {
+    machine_.declare(options);
+    options.text("file", file_, "FILE", "file with the lines of the path, in metres, in the frame of the root link");
+    options.repeated("segment", "LINE", "one line of the path; may be given many times, in place of a file",
+                     [this](const Words& words) {
+                       Problems problems;
+                       path_.read(words[0], "line '" + words[0] + "'", problems);
+                       throwProblems(problems);
+                     });
+    options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
+    options.count("max-looks", query_.max_looks, MOST_BOXES, "pieces looked at before the rest stays undecided");
+    declareCriterion(options, criterion_);
+    options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
+  }
+
+  Words warnings() const override { return machine_.warnings(); }
+
+  Answer answer() override
+  {
+    const Machine& machine = machine_.machine();
+    query_.stop = stopOnSignal();
+    const PathResult result = checkPath(machine, criterion_, path_.segments(), query_);
+    Json json = contextOf(machine, criterion_);
+    json["verdict"] = name(result.verdict);
+    json["tool_speed"] = query_.tool_speed;
+    json["looks"] = result.looks;
+    json["first"] = result.first ? firstOf(result) : Json();
+    json["motion"] = result.motion ? toJson(*result.motion) : Json();
+    json["segments"] = Json::array();
+    for (std::size_t i = 0; i < result.segments.size(); ++i)
+      json["segments"].push_back(segmentOf(result.segments[i], path_.places()[i]));
+    json["message"] = message(result);
+    return { json, print(result) };
+  }
+
+private:
+  void finishPath(Problems& problems)
+  {
+    const bool has_lines = !path_.segments().empty();
+    if (!file_.empty() && has_lines)
+      problems.push_back("the path is given twice");
+    else if (!file_.empty())
+      path_.readFile(file_, problems);
+    if (problems.empty() && path_.segments().empty())
+      problems.push_back("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least");
+  }
+
+  static Json segmentOf(const SegmentCheck& check, const std::string& place)
+  {
+    return { { "place", place },
+             { "verdict", name(check.verdict) },
+             { "good_until", check.good_until },
+             { "bad_at", check.bad_at ? Json(*check.bad_at) : Json() },
+             { "motion", check.motion ? toJson(*check.motion) : Json() } };
+  }
+
+  Json firstOf(const PathResult& result) const
+  {
+    Json json = segmentOf(result.segments[result.first->segment], path_.places()[result.first->segment]);
+    json.erase("motion");
+    json["segment"] = result.first->segment;
+    json["point"] = cli::toJson(result.first->point);
+    json["binding"] = cli::toJson(machine_.machine(), result.first->limit);
+    return json;
+  }
+
+  std::string message(const PathResult& result) const
+  {
+    if (result.verdict == Containment::INSIDE)
+      return "Proved: every point of the path is dextrous.";
+    const PathOffence& first = *result.first;
+    const std::string place =
+        path_.places()[first.segment] + ", where the part t = " + nearly(first.good_until) + " of its way is done: ";
+    if (result.verdict == Containment::UNDECIDED)
+      return "Not decided: the path touches the border of the set, or --max-looks was not enough, at " + place +
+             describe(machine_.machine(), first.limit) + ".";
+    if (!first.bad_at)
+      return "Proved: a later segment is not dextrous; not decided, at " + place +
+             describe(machine_.machine(), first.limit) + ".";
+    return "Proved: the path leaves the set at " + place + describe(machine_.machine(), first.limit) + ".";
+  }
+
+  std::string print(const PathResult& result) const
+  {
+    std::vector<Words> rows = { { "verdict", name(result.verdict) } };
+    if (result.motion)
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const std::string joint = machine_.machine().legs()[i].joint;
+        const PathMotion& motion = *result.motion;
+        rows.push_back({ "psi " + std::to_string(i + 1), bracket(motion.psi[i].lower(), motion.psi[i].upper()) });
+        rows.push_back({ "rho of '" + joint + "'", bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
+        rows.push_back({ "speed of '" + joint + "'", "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
+      }
+    rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
+    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(result.segments.size()) +
+           " segments\n\n" + aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
+           wrapped(definition(criterion_));
+  }
+
+  MachineOptions machine_;
+  Criterion criterion_;
+  PathQuery query_;
+  PathText path_;
+  std::string file_;
+};
+}  // namespace
+
+std::unique_ptr<Command> makePath()
+{
+  return std::make_unique<Path>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace
