@@ -114,6 +114,8 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
           readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems))
     query.search_box = corners;
   query.criterion = fromMessage(request.criterion, defaults.criterion, problems);
+  query.criterion.aspect = aspectOf(request.aspect, problems);
+  query.precision = request.multi_precision ? Precision::MULTIPLE : Precision::DOUBLE;
   query.accuracy = valueOr(request.accuracy, defaults.accuracy);
   query.budget.time_limit = valueOr(request.time_limit, defaults.budget.time_limit);
   query.validate(problems);

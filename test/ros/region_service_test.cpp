@@ -217,5 +217,32 @@ TEST(GetRegion, givesTheLastAnswer)
   EXPECT_EQ(computed.region, got.region);
   EXPECT_EQ(computed.message, got.message);
 }
+
+TEST(ComputeLargestRegion, findsTheCubeOfTheOtherAspectAndOfReachAlone)
+{
+  RegionRequest other;
+  other.aspect = RegionRequest::OTHER;
+  other.accuracy = 1e-5;
+  const auto response = compute(other);
+  expectProven(response, 1e-5);
+  expectBracket(response.region, 0.062854514, 1e-5);
+  EXPECT_EQ(Hypotheses::OTHER, response.region.hypotheses.aspect);
+
+  RegionRequest reach;
+  reach.criterion.set = CriterionRequest::REACHABLE;
+  reach.aspect = RegionRequest::BOTH;
+  expectBracket(compute(reach).region, std::sqrt(2.0), 1e-9);
+}
+
+TEST(ComputeLargestRegion, goesOnInMultiPrecisionWhereAsked)
+{
+  RegionRequest request;
+  request.accuracy = 1e-13;
+  EXPECT_EQ(Region::STOPPED, compute(request).region.status);
+  request.multi_precision = true;
+  const auto response = compute(request);
+  expectProven(response, 1e-13);
+  expectBracket(response.region, LARGEST_EDGE, 1e-15);
+}
 }  // namespace test
 }  // namespace pkm_workspace
