@@ -30,9 +30,9 @@ struct ConditioningQuery
 /// The global conditioning index: the mean of 1 / kappa over a set (Gosselin and Angeles 1991).
 struct GlobalConditioning
 {
-  Interval index;    ///< encloses it; [0, 1] where the set is not proved to have a volume
-  Interval measure;  ///< encloses the volume of the set [m^3]; of flat sets the area [m^2], of lines the length [m]
-  int dimension = 3;       ///< of the set: 3, or how many sides of its box have a width
+  Interval index;     ///< encloses it; [0, 1] where the set is not proved to have a volume
+  Interval measure;   ///< encloses the volume of the set [m^3]; of flat sets the area [m^2], of lines the length [m]
+  int dimension = 3;  ///< of the set: 3, or how many sides of its box have a width
   std::int64_t boxes = 0;  ///< boxes looked at
   bool complete = false;   ///< the accuracy was met
   double seconds = 0.0;
