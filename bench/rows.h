@@ -36,5 +36,7 @@ void addHardRows();
 void addVerificationRows();
 /// The paving of the Orthoglide's set, on one thread and on two.
 void addPavingRows();
+/// Paths of many segments with what the machine does along them, and single points.
+void addPathRows();
 }  // namespace bench
 }  // namespace pkm_workspace

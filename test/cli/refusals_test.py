@@ -17,7 +17,8 @@ URANESX_STUDY = "study --machine uranesx --parameter R-r "
 # command line, and a regular expression for a line of standard error
 REFUSALS = [
     ("", "a command is missing"),
-    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, pave, compare, study, urdf"),
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, pave, compare, study, singularities, "
+             "conditioning, urdf"),
     ("-h", "'-h' is not a command"),
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),

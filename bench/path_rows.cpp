@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "pkm_workspace/region/path_check.h"
+#include "problem.h"
+#include "rows.h"
+
+namespace pkm_workspace
+{
+namespace bench
+{
+namespace
+{
+constexpr std::size_t SEGMENTS = 10000;
+
+/// A closed curve well inside of the Orthoglide's set; s from 0 to 1.
+Eigen::Vector3d curve(double s)
+{
+  const double angle = 2.0 * s * pi().mid();
+  return { 0.05 + 0.2 * std::cos(angle), 0.05 + 0.2 * std::sin(angle), 0.05 * std::cos(3.0 * angle) };
+}
+
+/// @param make the segment from one point of the curve through the next to the one after that
+template <class Make>
+std::vector<PathSegment> segmentsOf(const Make& make)
+{
+  std::vector<PathSegment> segments;
+  for (std::size_t i = 0; i < SEGMENTS; ++i)
+  {
+    const auto at = [i](double step) { return curve((static_cast<double>(i) + step) / SEGMENTS); };
+    segments.push_back(make(at(0.0), at(0.5), at(1.0)));
+  }
+  return segments;
+}
+
+void addPath(const std::string& name, const std::vector<PathSegment>& segments)
+{
+  const PointEvaluator evaluator(orthoglideCube().machine, Criterion());
+  addRow("Orthoglide, a path of 10^4 " + name, "", OURS, 5, [evaluator, segments](benchmark::State& state) {
+    PathResult result;
+    for (auto _ : state)
+      result = checkPath(evaluator, segments);
+    if (result.verdict != Containment::INSIDE)
+      state.SkipWithError("not proved");
+    state.counters["points"] = static_cast<double>(result.looks);
+  });
+}
+}  // namespace
+
+void addPathRows()
+{
+  using Eigen::Vector3d;
+  addPath("lines", segmentsOf([](const Vector3d& start, const Vector3d&, const Vector3d& end) {
+            return PathSegment::line(start, end);
+          }));
+  addPath("arcs", segmentsOf([](const Vector3d& start, const Vector3d& via, const Vector3d& end) {
+            return PathSegment::arcThrough(start, via, end);
+          }));
+  const PointEvaluator evaluator(orthoglideCube().machine, Criterion());
+  addRow("Orthoglide, 10^4 points evaluated", "", OURS, 5, [evaluator](benchmark::State& state) {
+    std::size_t good = 0;
+    for (auto _ : state)
+    {
+      good = 0;
+      for (std::size_t i = 0; i < SEGMENTS; ++i)
+        good += evaluator(curve(static_cast<double>(i) / SEGMENTS)).verdict == BoxVerdict::INSIDE ? 1 : 0;
+    }
+    if (good != SEGMENTS)
+      state.SkipWithError("not proved");
+    state.counters["points"] = static_cast<double>(good);
+  });
+}
+}  // namespace bench
+}  // namespace pkm_workspace
