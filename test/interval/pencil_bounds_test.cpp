@@ -152,18 +152,20 @@ TEST(PencilBounds, areTightForNumbers)
   }
 }
 
-TEST(PencilBounds, saysNothingWhereTheOtherMatrixIsNotDefinite)
+TEST(PencilBounds, saysNothingWhereTheOtherMatrixIsNotDefiniteOrNumbersAreNone)
 {
   const AffineForm<double> one{ 1.0, {}, 0.0 };
   const Matrix identity{ one, one, one, {}, {}, {} };
   const Matrix flat{ one, one, {}, {}, {}, {} };
   const std::array<std::array<double, 3>, 3> w{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
-  const Spans found = pencilEigenvalues(identity, flat, w, { 1.0, 1.0, 1.0 });
-  for (const Span<double>& span : found)
-  {
-    EXPECT_EQ(span.lower, -std::numeric_limits<double>::infinity());
-    EXPECT_EQ(span.upper, std::numeric_limits<double>::infinity());
-  }
+  const double nan = std::nan("");
+  for (const Spans& found : { pencilEigenvalues(identity, flat, w, { 1.0, 1.0, 1.0 }),
+                              pencilEigenvalues(identity, identity, w, { nan, nan, nan }) })
+    for (const Span<double>& span : found)
+    {
+      EXPECT_EQ(span.lower, -std::numeric_limits<double>::infinity());
+      EXPECT_EQ(span.upper, std::numeric_limits<double>::infinity());
+    }
 }
 }  // namespace
 }  // namespace test

@@ -147,7 +147,7 @@ inline SymmetricForms<Real> negated(SymmetricForms<Real> m)
 /// sigma_k <= mu where it is negative semidefinite on one of dimension k. With W^T D W near I, and W^T K W near a
 /// diagonal matrix with the entries mu_k, the spaces of the last and first columns of W make the bounds good to second
 /// order in the gradients; sound they are for any W and mu.
-/// @return where D is not proved definite, all numbers
+/// @return where D is not proved definite, and for a mu that is no number, all numbers
 template <class Real>
 std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& k, const SymmetricForms<Real>& d,
                                             const std::array<std::array<Real, 3>, 3>& w, const std::array<Real, 3>& mu)
@@ -173,8 +173,10 @@ std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& k, const
     const SymmetricForms<Real> minus = pencil::negated(m);
     const Real up = step(n == 0 ? pencil::below(m) : n == 1 ? pencil::below(m, 1, 2, 3) : m[2].lower());
     const Real down = step(n == 2 ? pencil::below(minus) : n == 1 ? pencil::below(minus, 0, 1, 5) : minus[0].lower());
-    result[n].lower = select(definite, mu[n] + up - pencil::noise(abs(mu[n]) + abs(up)), -infinite);
-    result[n].upper = select(definite, mu[n] - down + pencil::noise(abs(mu[n]) + abs(down)), infinite);
+    const Real lower = mu[n] + up - pencil::noise(abs(mu[n]) + abs(up));
+    const Real upper = mu[n] - down + pencil::noise(abs(mu[n]) + abs(down));
+    const auto proved = definite & (upper >= lower);  // false for numbers that are none
+    result[n] = { select(proved, lower, -infinite), select(proved, upper, infinite) };
   }
   return result;
 }
