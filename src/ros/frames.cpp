@@ -49,9 +49,9 @@ Frames::Frames(const Machine& machine, const std::string& root)
   root_.root.orientation.w = 1.0;
 }
 
-geometry_msgs::Pose Frames::rootIn(const std::string& frame) const
+geometry_msgs::Pose Frames::rootIn(const std::string& frame, double patience) const
 {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(PATIENCE);
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(patience);
   while (!buffer_.canTransform(frame, root_.frame, ros::Time()))
   {
     if (ros::WallTime::now() >= end)
@@ -67,12 +67,20 @@ geometry_msgs::Pose Frames::rootIn(const std::string& frame) const
   return pose;
 }
 
+Eigen::Vector3d Frames::pointInRoot(const std::string& name, const Eigen::Vector3d& point) const
+{
+  const std::string frame = bare(name);
+  if (frame.empty() || frame == root_.frame)
+    return point;
+  return FramedMachine{ frame, nullptr, "", rootIn(frame, 0.0) }.toRoot() * point;
+}
+
 FramedMachine Frames::machineIn(const std::string& name) const
 {
   const std::string frame = bare(name);
   if (frame.empty() || frame == root_.frame)
     return root_;
-  FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame) };
+  FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, PATIENCE) };
   const geometry_msgs::Point& position = framed.root.position;
   const geometry_msgs::Quaternion& orientation = framed.root.orientation;
   const Pose pose{ { orientation.x, orientation.y, orientation.z, orientation.w },

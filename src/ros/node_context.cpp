@@ -38,6 +38,7 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   : node(node_handle)
   , private_node(private_handle)
   , computing(private_handle)
+  , deciding(private_handle)
   , parameters(loadParameters(private_handle))
   , urdf(loadMachine(private_handle, parameters.urdf))
   , frames(urdf.machine, frameOf(private_handle, urdf.root_link))
@@ -46,6 +47,7 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   requireAnswerable(machine(), parameters);
   logMachine(urdf, frames.root().frame);
   computing.setCallbackQueue(&worker.queue());
+  deciding.setCallbackQueue(&decider.queue());
 }
 
 RegionQuery NodeContext::query() const

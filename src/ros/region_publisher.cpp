@@ -18,35 +18,28 @@ constexpr double SECONDS = 5.0;          // a picture is not worth more
 constexpr std::int64_t BOXES = 2000000;  // nor can rviz draw much more
 }  // namespace
 
-RegionPublisher::RegionPublisher(NodeContext& context)
+RegionPublisher::RegionPublisher(NodeContext& context, Tool* tool)
   : context_(context)
+  , tool_(tool)
   , stop_(context.painter.makeStopFlag())
   , region_(context.private_node.advertise<Region>("region", 1, true))
   , joint_ranges_(context.private_node.advertise<JointRanges>("joint_ranges", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
-{
-  if (context.parameters.publish_joint_states)
-    joint_states_.emplace(context.node, context.urdf);
-}
+{}
 
 void RegionPublisher::publish(const RegionQuestion& question, const Region& region)
 {
   region_.publish(region);
   joint_ranges_.publish(jointRangesOf(region));
-  if (joint_states_ && region.size > 0.0)
+  if (tool_ && region.size > 0.0)
     moveMachine(question, region);
 }
 
 void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& region)
 {
-  try
-  {
-    joint_states_->moveTo(question.in.toRoot() * fromMessage(region.center));
-  }
-  catch (const std::invalid_argument& error)
-  {
-    ROS_WARN_STREAM_NAMED("joint_states", "the model stays where it is: " << error.what());
-  }
+  const ToolState moved = tool_->moveTo(question.in.toRoot() * fromMessage(region.center));
+  if (!moved.objection.empty())
+    ROS_WARN_STREAM_NAMED("joint_states", "the model cannot go to the center of the region: " << moved.objection);
 }
 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region)

@@ -16,9 +16,9 @@ namespace
 constexpr double BURST = 0.05;
 }  // namespace
 
-RegionService::RegionService(NodeContext& context)
+RegionService::RegionService(NodeContext& context, Tool* tool)
   : context_(context)
-  , publisher_(context)
+  , publisher_(context, tool)
   , action_(context, "find_largest_region",
             [this](const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result) {
               find(goal, stop, tell, result);

@@ -8,11 +8,18 @@ namespace pkm_workspace
 {
 Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
   : context_(node, private_node)
-  , regions_(context_)
+  , tool_(context_.parameters.publish_joint_states ? std::make_unique<Tool>(context_) : nullptr)
+  , interaction_(context_, tool_.get())
+  , regions_(context_, tool_.get())
   , pavings_(context_)
   , singularities_(context_)
   , conditioning_(context_)
-  , criterion_(context_, [this] { regions_.computeOwn(); })
+  , planning_(context_)
+  , criterion_(context_,
+               [this] {
+                 interaction_.refresh();
+                 regions_.computeOwn();
+               })
   , diagnostics_(context_)
 {}
 
@@ -25,6 +32,7 @@ bool Server::run()
 {
   regions_.computeOwn();
   context_.worker.start();
+  context_.decider.start();
   context_.painter.start();
   // ros::ok() turns false only after the services have ended, which wait for the computation that is to be stopped here
   while (!ros::isShuttingDown())
@@ -36,6 +44,7 @@ bool Server::run()
 void Server::stop()
 {
   context_.worker.stop();
+  context_.decider.stop();
   context_.painter.stop();
 }
 }  // namespace pkm_workspace

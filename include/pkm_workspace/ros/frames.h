@@ -38,8 +38,12 @@ public:
   /// @param name empty: the root's @throws Refusal that names the frames there are
   FramedMachine machineIn(const std::string& name) const;
 
+  /// A point of a frame in the frame of the root link [m], by floating point. Does not wait.
+  /// @throws Refusal that names the frames there are
+  Eigen::Vector3d pointInRoot(const std::string& name, const Eigen::Vector3d& point) const;
+
 private:
-  geometry_msgs::Pose rootIn(const std::string& frame) const;
+  geometry_msgs::Pose rootIn(const std::string& frame, double patience) const;
 
   FramedMachine root_;
   tf2_ros::Buffer buffer_;

@@ -15,8 +15,8 @@ namespace pkm_workspace
 {
 /// What all parts of the node share.
 ///
-/// Three threads: the one of private_node answers what can be answered at once, the worker computes, the painter makes
-/// markers, so that no request waits for a picture.
+/// Four threads: the one of private_node answers what can be answered at once, the worker computes, the decider gives
+/// verdicts, the painter makes markers, so that no request waits for a picture.
 class NodeContext
 {
 public:
@@ -28,11 +28,13 @@ public:
   ros::NodeHandle node;
   ros::NodeHandle private_node;
   ros::NodeHandle computing;  ///< the private one for services of the worker
+  ros::NodeHandle deciding;   ///< and for those of the decider
   const Parameters parameters;
   const UrdfMachine urdf;
   const Frames frames;
   Health health;
   Worker worker;
+  Worker decider;
   Worker painter;
 
   const Machine& machine() const { return urdf.machine; }

@@ -8,8 +8,8 @@
 
 #include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/ros/conversions.h"
-#include "pkm_workspace/ros/joint_state_publisher.h"
 #include "pkm_workspace/ros/node_context.h"
+#include "pkm_workspace/ros/tool.h"
 
 namespace pkm_workspace
 {
@@ -18,8 +18,8 @@ namespace pkm_workspace
 class RegionPublisher
 {
 public:
-  /// Advertises. @param context has to outlive this object
-  explicit RegionPublisher(NodeContext& context);
+  /// Advertises. @param context has to outlive this object @param tool what is moved to centers of regions, or nullptr
+  RegionPublisher(NodeContext& context, Tool* tool);
 
   /// Publishes the region and its joint ranges, and moves the machine there.
   void publish(const RegionQuestion& question, const Region& region);
@@ -33,11 +33,11 @@ private:
   const Paving* pavingFor(const RegionQuestion& question);
 
   NodeContext& context_;
+  Tool* const tool_;
   const StopFlag stop_;
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;
-  std::optional<JointStatePublisher> joint_states_;
   std::optional<Paving> paving_;  ///< the last one
 };
 }  // namespace pkm_workspace

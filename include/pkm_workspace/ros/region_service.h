@@ -19,7 +19,8 @@ class RegionService
 {
 public:
   /// Advertises. @param context has to outlive this object, its threads have to end before
-  explicit RegionService(NodeContext& context);
+  /// @param tool what is moved to centers of regions, or nullptr
+  RegionService(NodeContext& context, Tool* tool);
 
   /// Computes the node's own region, later; ends that computation where it still runs.
   void computeOwn();

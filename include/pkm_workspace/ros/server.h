@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "pkm_workspace/ros/conditioning_service.h"
 #include "pkm_workspace/ros/criterion_service.h"
 #include "pkm_workspace/ros/diagnostics.h"
+#include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_service.h"
+#include "pkm_workspace/ros/planner_service.h"
 #include "pkm_workspace/ros/region_service.h"
 #include "pkm_workspace/ros/singularity_service.h"
 
@@ -29,10 +33,13 @@ private:
   void stop();
 
   NodeContext context_;
+  std::unique_ptr<Tool> tool_;
+  Interaction interaction_;
   RegionService regions_;
   PavingService pavings_;
   SingularityService singularities_;
   ConditioningService conditioning_;
+  PlannerService planning_;
   CriterionService criterion_;
   Diagnostics diagnostics_;
 };

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pkm_workspace/BindingLimit.h>
+#include <pkm_workspace/CheckPath.h>
+#include <pkm_workspace/EvaluatePoint.h>
+
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/region/path_check.h"
+
+namespace pkm_workspace
+{
+/// The segments of a request: those it lists, or lines between its poses.
+/// @throws std::invalid_argument naming each segment and value that is wrong
+std::vector<PathSegment> segmentsOf(const CheckPath::Request& request);
+
+/// The frame that a request is made in. @throws std::invalid_argument where it names two
+std::string frameOf(const CheckPath::Request& request);
+
+/// @param machine whose legs the limit counts
+BindingLimit toMessage(const Limit& limit, const Machine& machine);
+/// One phrase for people: "largest velocity factor = 2.31, bound 2".
+std::string describe(const Limit& limit, const Machine& machine);
+
+/// Fills all that the evaluation tells.
+void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response);
+void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response);
+}  // namespace pkm_workspace

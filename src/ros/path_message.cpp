@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/path_message.h"
+
+#include <limits>
+#include <sstream>
+
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/solid_message.h"
+#include "pkm_workspace/ros/verdict_message.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::Vector3d fromVector(const geometry_msgs::Vector3& vector)
+{
+  return { vector.x, vector.y, vector.z };
+}
+
+bool isUnset(const geometry_msgs::Point& point)
+{
+  return fromMessage(point) == Eigen::Vector3d::Zero();
+}
+
+void requireUnused(const ToolSegment& segment)
+{
+  const bool has_arc = !isUnset(segment.center) || fromVector(segment.axis) != Eigen::Vector3d::Zero() ||
+                       segment.angle != 0.0 || segment.lift != 0.0;
+  if (segment.kind != ToolSegment::ARC_THROUGH && !isUnset(segment.via))
+    throw std::invalid_argument("via must be 0 [m] unless kind = ARC_THROUGH");
+  if (segment.kind != ToolSegment::ARC && has_arc)
+    throw std::invalid_argument("center, axis, angle and lift must be 0 unless kind = ARC");
+  if (segment.kind == ToolSegment::ARC && !isUnset(segment.end))
+    throw std::invalid_argument("end must be 0 [m] for kind = ARC: it follows from the angle");
+}
+
+PathSegment fromSegment(const ToolSegment& segment)
+{
+  const Eigen::Vector3d start = fromMessage(segment.start);
+  requireUnused(segment);
+  switch (segment.kind)
+  {
+    case ToolSegment::LINE:
+      return PathSegment::line(start, fromMessage(segment.end));
+    case ToolSegment::ARC_THROUGH:
+      return PathSegment::arcThrough(start, fromMessage(segment.via), fromMessage(segment.end));
+    case ToolSegment::ARC:
+      return PathSegment::arc(start, fromMessage(segment.center), fromVector(segment.axis), segment.angle,
+                              segment.lift);
+    default:
+      throw std::invalid_argument("kind = " + std::to_string(segment.kind) +
+                                  " must be LINE = 1, ARC_THROUGH = 2 or ARC = 3");
+  }
+}
+
+/// Adds what @p make makes, or why it cannot be made.
+template <class Make>
+void add(const std::string& place, const Make& make, std::vector<PathSegment>& segments, Problems& problems)
+{
+  try
+  {
+    segments.push_back(make());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    problems.push_back(place + ": " + error.what());
+  }
+}
+}  // namespace
+
+std::vector<PathSegment> segmentsOf(const CheckPath::Request& request)
+{
+  std::vector<PathSegment> segments;
+  Problems problems;
+  const auto& poses = request.path.poses;
+  if (poses.empty() == request.segments.empty() || poses.size() == 1)
+    problems.push_back("give either segments or a path of two poses or more");
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k)
+    add(
+        "path.poses[" + std::to_string(k + 1) + "]",
+        [&] { return PathSegment::line(fromMessage(poses[k].pose.position), fromMessage(poses[k + 1].pose.position)); },
+        segments, problems);
+  for (std::size_t k = 0; k < request.segments.size(); ++k)
+    add(
+        "segments[" + std::to_string(k) + "]", [&] { return fromSegment(request.segments[k]); }, segments, problems);
+  throwProblems(problems);
+  return segments;
+}
+
+std::string frameOf(const CheckPath::Request& request)
+{
+  std::string frame = request.header.frame_id;
+  const auto require = [&frame](const std::string& other) {
+    if (frame.empty())
+      frame = other;
+    else if (!other.empty() && other != frame)
+      throw std::invalid_argument("path: frame '" + other + "' must be empty or that of the request, '" + frame + "'");
+  };
+  require(request.path.header.frame_id);
+  for (const auto& pose : request.path.poses)
+    require(pose.header.frame_id);
+  return frame;
+}
+
+BindingLimit toMessage(const Limit& limit, const Machine& machine)
+{
+  BindingLimit message;
+  message.kind = static_cast<std::uint8_t>(limit.kind);  // numbered as Limit::Kind
+  message.joint = limit.leg < 0 ? "" : machine.leg(limit.leg).joint;
+  message.value = toMessage(limit.value);
+  message.margin = toMessage(limit.margin);
+  message.bound = limit.bound;
+  return message;
+}
+
+std::string describe(const Limit& limit, const Machine& machine)
+{
+  std::ostringstream text;
+  text.precision(6);
+  text << name(limit.kind) << (limit.leg < 0 ? "" : " of " + machine.leg(limit.leg).joint) << ": " << limit.value.mid()
+       << (limit.isViolated() ? " violates the bound " : ", bound ") << limit.bound;
+  return text.str();
+}
+
+void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response)
+{
+  response.verdict = constantOf(evaluation.verdict);
+  response.reachable = constantOf(evaluation.reachable);
+  response.has_values = evaluation.has_values;
+  response.limit = toMessage(evaluation.binding(), machine);
+  response.message = describe(evaluation.binding(), machine);
+  if (!evaluation.has_values)
+    return;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    response.psi[i] = toMessage(evaluation.psi[i]);
+    response.joints[i] = toMessage(evaluation.rho[i]);
+  }
+  response.condition = toMessage(evaluation.condition);
+  response.det_a = toMessage(evaluation.det_a);
+}
+
+void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response)
+{
+  response.verdict = constantOf(result.verdict);
+  for (const SegmentCheck& segment : result.segments)
+    response.segment_verdicts.push_back(constantOf(segment.verdict));
+  response.looks = result.looks;
+  response.offending_segment = -1;
+  response.bad_at = NONE;
+  response.message = "proved: every point of the path satisfies the criterion";
+  if (result.motion)
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      response.motion.psi[i] = toMessage(result.motion->psi[i]);
+      response.motion.joints[i] = toMessage(result.motion->joint[i]);
+      response.motion.joint_speeds[i] = result.motion->joint_speed[i];
+    }
+  if (!result.first)
+    return;
+  const PathOffence& offence = *result.first;
+  response.offending_segment = static_cast<std::int64_t>(offence.segment);
+  response.good_until = offence.good_until;
+  response.bad_at = offence.bad_at.value_or(NONE);
+  response.offence = toMessage(offence.point);
+  response.limit = toMessage(offence.limit, machine);
+  std::ostringstream text;
+  text << (offence.bad_at ? "proved bad" : "undecided") << " on segment " << offence.segment << " at "
+       << offence.bad_at.value_or(offence.good_until) << " of its way; " << describe(offence.limit, machine);
+  response.message = text.str();
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/tool.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/solid_message.h"
+#include "pkm_workspace/urdf_io/joint_values.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+constexpr int HALVINGS = 60;
+
+std::string limitObjection(const Machine& machine, const Eigen::Vector3d& rho)
+{
+  std::ostringstream text;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Leg& leg = machine.leg(i);
+    if (leg.limits.contains(rho[i]))
+      continue;
+    text << (text.tellp() > 0 ? "; " : "") << leg.joint << " would be at " << rho[i] << " m, its limits are ["
+         << leg.limits.lower() << ", " << leg.limits.upper() << "] m";
+  }
+  return text.str();
+}
+
+std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, const Eigen::Vector3d& p)
+{
+  if (aspect == Criterion::Aspect::BOTH)
+    return "";
+  const int wanted = aspect == Criterion::Aspect::OWN ? machine.aspect() : -machine.aspect();
+  const auto there = configurationAt(machine, p);
+  const bool fits = there && (wanted > 0 ? there->det_a.certainlyPositive() : there->det_a.certainlyNegative());
+  return fits ? "" : "beyond a parallel singularity: det A does not have the sign of the aspect";
+}
+}  // namespace
+
+Tool::Tool(NodeContext& context) : context_(context), joint_states_(context.node, context.urdf)
+{
+  state_.point = context.machine().zero();
+  if (context.private_node.resolveName("rail_states") == context.node.resolveName("joint_states"))
+    throw std::invalid_argument("topic ~rail_states is joint_states, on which this node publishes: remap it elsewhere");
+  const boost::function<void(const geometry_msgs::PoseStamped&)> on_pose = [this](const auto& pose) {
+    guarded(context_.health, "tool_pose", [&] { follow(pose); });
+  };
+  const boost::function<void(const sensor_msgs::JointState&)> on_rails = [this](const auto& rails) {
+    guarded(context_.health, "rail_states", [&] { follow(rails); });
+  };
+  pose_ = context.private_node.subscribe<geometry_msgs::PoseStamped>("tool_pose", 1, on_pose);
+  rails_ = context.private_node.subscribe<sensor_msgs::JointState>("rail_states", 1, on_rails);
+}
+
+void Tool::follow(const geometry_msgs::PoseStamped& pose)
+{
+  moveTo(context_.frames.pointInRoot(pose.header.frame_id, fromMessage(pose.pose.position)));
+}
+
+void Tool::follow(const sensor_msgs::JointState& rails)
+{
+  Eigen::Vector3d rho;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::string& joint = context_.machine().leg(i).joint;
+    const auto name = std::find(rails.name.begin(), rails.name.end(), joint);
+    const auto index = static_cast<std::size_t>(name - rails.name.begin());
+    if (index >= rails.position.size())
+      throw std::invalid_argument("rail_states has no position for joint '" + joint + "'");
+    rho[i] = rails.position[index];
+  }
+  const auto p = rho.allFinite() ? forwardKinematics(context_.machine(), rho) : std::nullopt;
+  if (!p)
+    throw std::invalid_argument("rail_states: no assembly in the machine's working mode and aspect has these joints");
+  moveTo(*p);
+}
+
+std::string Tool::objectionTo(const Eigen::Vector3d& p) const
+{
+  const Criterion criterion = context_.query().criterion;
+  const Machine& machine = context_.machine();
+  try
+  {
+    jointValues(context_.urdf, p);
+    const auto rho = inverseKinematics(machine, p);
+    const std::string limits = criterion.joint_limits ? limitObjection(machine, *rho) : "";
+    return limits.empty() ? aspectObjection(machine, criterion.aspect, p) : limits;
+  }
+  catch (const std::invalid_argument& unreachable)
+  {
+    return unreachable.what();
+  }
+}
+
+ToolState Tool::border(Eigen::Vector3d good, Eigen::Vector3d bad) const
+{
+  for (int k = 0; k < HALVINGS; ++k)
+  {
+    const Eigen::Vector3d between = 0.5 * (good + bad);
+    (objectionTo(between).empty() ? good : bad) = between;
+  }
+  return { good, objectionTo(bad) };
+}
+
+ToolState Tool::moveTo(const Eigen::Vector3d& p)
+{
+  Problems problems;
+  requireFinite("tool point", p, problems);
+  throwProblems(problems);
+  ToolState state{ p, objectionTo(p) };
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!state.objection.empty())
+      state = border(state_.point, p);
+    joint_states_.moveTo(state.point);
+    state_ = state;
+  }
+  if (moved_)
+    moved_(state);
+  return state;
+}
+
+ToolState Tool::state() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_;
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/tool_marker.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "handles.h"
+#include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/path_message.h"
+#include "pkm_workspace/ros/reply.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using visualization_msgs::Marker;
+
+constexpr const char* NAME = "tool";
+constexpr Color RED = { 0.9F, 0.1F, 0.1F, 0.7F };
+constexpr Color RAIL = { 0.6F, 0.6F, 0.65F, 1.0F };
+constexpr Color SLIDER = { 0.95F, 0.45F, 0.05F, 1.0F };
+constexpr double SPEED = 0.1;         ///< of the joints [m/s]
+constexpr double COMFORT = 0.3;       ///< margin from which on it is all green
+constexpr double LONGEST_AXIS = 8.0;  ///< beyond that near a parallel singularity the ellipsoid is cut off
+
+/// From yellow at the border to green.
+Color colorOf(double margin)
+{
+  const auto share = static_cast<float>(std::clamp(margin / COMFORT, 0.0, 1.0));
+  return { 0.95F - 0.75F * share, 0.8F, 0.1F + 0.2F * share, 0.7F };
+}
+
+void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, const Color& color, Scene& scene)
+{
+  if (!jacobians.j.allFinite())
+    return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(jacobians.j * jacobians.j.transpose());
+  Eigen::Matrix3d axes = squares.eigenvectors();
+  if (axes.determinant() < 0.0)
+    axes.col(2) *= -1.0;
+  const Eigen::Quaterniond turn(axes);
+  const Eigen::Vector3d sizes =
+      2.0 * SPEED * squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMin(LONGEST_AXIS) * 1000.0 * scene.unit();
+  Marker& marker = scene.add("ellipsoid", Marker::SPHERE, color);
+  marker.pose.position = toMessage(point);
+  marker.pose.orientation.x = turn.x();
+  marker.pose.orientation.y = turn.y();
+  marker.pose.orientation.z = turn.z();
+  marker.pose.orientation.w = turn.w();
+  marker.scale.x = sizes.x();
+  marker.scale.y = sizes.y();
+  marker.scale.z = sizes.z();
+}
+
+void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
+{
+  const auto sliderPoint = [&leg](double value) { return mid(leg.origin) + value * mid(leg.axis); };
+  const double lower = std::max(leg.limits.lower(), rho - reach);
+  const double upper = std::min(leg.limits.upper(), rho + reach);
+  Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);
+  rail.scale.x = 8.0 * scene.unit();
+  rail.points = { toMessage(sliderPoint(lower)), toMessage(sliderPoint(upper)) };
+  Marker& slider = scene.add("travel", Marker::SPHERE, SLIDER);
+  slider.pose.position = toMessage(sliderPoint(rho));
+  slider.scale.x = slider.scale.y = slider.scale.z = 45.0 * scene.unit();
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criterion& criterion, const ToolState& tool,
+                                            const std::string& frame)
+{
+  std_msgs::Header header;
+  header.frame_id = frame;
+  Scene scene(header, machine.scale() / 1000.0);
+  const PointEvaluator evaluate(machine, criterion);
+  const PointEvaluation there = evaluate(tool.point);
+  const bool good = tool.objection.empty() && there.verdict == BoxVerdict::INSIDE;
+  if (const auto matrices = jacobians(machine, tool.point))
+    addEllipsoid(*matrices, tool.point, good ? colorOf(evaluate.test().margin(tool.point)) : RED, scene);
+  if (const auto rho = inverseKinematics(machine, tool.point))
+    for (int i = 0; i < 3; ++i)
+      addTravel(machine.leg(i), (*rho)[i], machine.scale(), scene);
+  if (!good)
+    scene.addText("reason", tool.point + 150.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
+                  tool.objection.empty() ? describe(there.binding(), machine) : tool.objection);
+  return scene.array();
+}
+
+ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::InteractiveMarkerServer& handles)
+  : context_(context)
+  , handles_(handles)
+  , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("tool_markers", 1, true))
+{
+  Handle handle{ NAME, context.frames.root().frame, tool.state().point, 0.06 * context.machine().scale() };
+  handle.axes = { 0, 1, 2 };
+  handle.is_free = true;
+  handles_.insert(toMessage(handle), [this, &tool](const auto& feedback) {
+    if (feedback->event_type == visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE)
+      guarded(context_.health, NAME, [&] {
+        tool.moveTo(context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position)));
+      });
+  });
+  handles_.applyChanges();
+  tool.onMove([this](const ToolState& state) { show(state); });
+  show(tool.state());
+}
+
+void ToolMarker::show(const ToolState& state)
+{
+  handles_.setPose(NAME, poseAt(state.point));
+  handles_.applyChanges();
+  markers_.publish(toolMarkers(context_.machine(), context_.query().criterion, state, context_.frames.root().frame));
+}
+}  // namespace pkm_workspace

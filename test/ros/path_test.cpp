@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/CheckPath.h>
+#include <pkm_workspace/EvaluatePoint.h>
+
+#include <cmath>
+#include <regex>
+
+#include "node_client.h"
+#include "pkm_workspace/machine/catalogue.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+using Request = CheckPath::Request;
+using Response = CheckPath::Response;
+
+geometry_msgs::Point point(double x, double y, double z)
+{
+  geometry_msgs::Point message;
+  message.x = x;
+  message.y = y;
+  message.z = z;
+  return message;
+}
+
+ToolSegment line(const geometry_msgs::Point& start, const geometry_msgs::Point& end)
+{
+  ToolSegment segment;
+  segment.kind = ToolSegment::LINE;
+  segment.start = start;
+  segment.end = end;
+  return segment;
+}
+
+/// A whole circle about z.
+ToolSegment circle(double radius)
+{
+  ToolSegment segment;
+  segment.kind = ToolSegment::ARC;
+  segment.start = point(radius, 0.0, 0.0);
+  segment.axis.z = 1.0;
+  segment.angle = 2.0 * M_PI;
+  return segment;
+}
+
+Response check(const std::vector<ToolSegment>& segments)
+{
+  Request request;
+  request.segments = segments;
+  return call<CheckPath>("check_path", request);
+}
+
+EvaluatePoint::Response evaluate(double x, double y, double z)
+{
+  EvaluatePoint::Request request;
+  request.point = point(x, y, z);
+  return call<EvaluatePoint>("evaluate_point", request);
+}
+}  // namespace
+
+TEST(CheckPath, provesWholeLinesAndTellsWhatTheMachineDoes)
+{
+  const auto response = check({ line(point(0, 0, 0), point(0.3, 0, 0)), line(point(0.3, 0, 0), point(0.3, 0.3, 0.2)) });
+  ASSERT_EQ(Response::INSIDE, response.verdict) << response.message;
+  EXPECT_EQ(2U, response.segment_verdicts.size());
+  EXPECT_EQ(-1, response.offending_segment);
+  const auto start = inverseKinematics(orthoglide(), Eigen::Vector3d::Zero());
+  for (int i = 0; i < 3; ++i)
+  {
+    const Bounds& joint = response.motion.joints[static_cast<std::size_t>(i)];
+    EXPECT_LE(joint.lower, (*start)[i] + 1e-12);
+    EXPECT_GE(joint.upper, (*start)[i] - 1e-12);
+    EXPECT_GT(response.motion.joint_speeds[static_cast<std::size_t>(i)], 0.0);
+    EXPECT_GE(response.motion.psi[static_cast<std::size_t>(i)].lower, 0.5 - 1e-3);
+  }
+}
+
+TEST(CheckPath, namesTheFirstOffence)
+{
+  const auto response = check({ line(point(0, 0, 0), point(0.1, 0, 0)), line(point(0.1, 0, 0), point(0.9, 0.9, 0.9)) });
+  ASSERT_EQ(Response::OUTSIDE, response.verdict) << response.message;
+  EXPECT_EQ(Response::INSIDE, response.segment_verdicts[0]);
+  EXPECT_EQ(1, response.offending_segment);
+  EXPECT_LE(response.good_until, response.bad_at);
+  EXPECT_LE(response.bad_at - response.good_until, 1e-6);
+  const auto offence = evaluate(response.offence.x, response.offence.y, response.offence.z);
+  EXPECT_NE(EvaluatePoint::Response::INSIDE, offence.verdict);
+  EXPECT_EQ(response.limit.kind, offence.limit.kind);
+}
+
+TEST(CheckPath, takesArcsWhole)
+{
+  EXPECT_EQ(Response::INSIDE, check({ circle(0.2) }).verdict);
+  // the start is good, and so is the end: the same point
+  EXPECT_EQ(EvaluatePoint::Response::INSIDE, evaluate(0.38, 0.0, 0.0).verdict);
+  ToolSegment through;
+  through.kind = ToolSegment::ARC_THROUGH;
+  through.start = point(0.38, 0, 0);
+  through.via = point(-0.38, -0.38, 0);
+  through.end = point(0, 0.38, 0);
+  EXPECT_EQ(EvaluatePoint::Response::INSIDE, evaluate(0.0, 0.38, 0.0).verdict);
+  EXPECT_EQ(Response::OUTSIDE, check({ through }).verdict) << "its ends are good, its middle is not";
+}
+
+TEST(CheckPath, takesPathsOfPoses)
+{
+  Request request;
+  request.path.header.frame_id = "base_link";
+  for (const double x : { 0.0, 0.1, 0.2 })
+  {
+    geometry_msgs::PoseStamped pose;
+    pose.pose.position = point(x, 0.0, 0.1);
+    request.path.poses.push_back(pose);
+  }
+  const auto response = call<CheckPath>("check_path", request);
+  EXPECT_EQ(Response::INSIDE, response.verdict) << response.message;
+  EXPECT_EQ(2U, response.segment_verdicts.size());
+}
+
+TEST(CheckPath, refusesWhatIsOutOfRange)
+{
+  const auto expectRefused = [](const Request& request, const std::string& message) {
+    const auto response = call<CheckPath>("check_path", request);
+    EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);
+    EXPECT_TRUE(std::regex_search(response.message, std::regex(message))) << response.message;
+  };
+  const auto with = [](const ToolSegment& segment) {
+    Request request;
+    request.segments = { segment };
+    return request;
+  };
+  expectRefused(Request(), "give either segments or a path");
+  expectRefused(with(ToolSegment()), "segments\\[0\\]: kind = 0 must be LINE = 1");
+  ToolSegment bent = line(point(0, 0, 0), point(0.1, 0, 0));
+  bent.angle = 1.0;
+  expectRefused(with(bent), "angle and lift must be 0 unless kind = ARC");
+  expectRefused(with(line(point(0, 0, 0), point(std::nan(""), 0, 0))), "segments\\[0\\]: ");
+  Request fast = with(line(point(0, 0, 0), point(0.1, 0, 0)));
+  fast.tool_speed = -1.0;
+  expectRefused(fast, "tool_speed = -1");
+  Request two = fast;
+  two.tool_speed = 0.0;
+  two.header.frame_id = "base_link";
+  two.path.header.frame_id = "elsewhere";
+  expectRefused(two, "frame 'elsewhere' must be empty or that of the request");
+}
+
+TEST(EvaluatePoint, tellsHowTheMachineStands)
+{
+  const auto good = evaluate(0.0, 0.0, 0.0);
+  ASSERT_EQ(ErrorCode::SUCCESS, good.error_code) << good.message;
+  EXPECT_EQ(EvaluatePoint::Response::INSIDE, good.verdict);
+  ASSERT_TRUE(good.has_values);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(1.0, good.psi[i].lower, 1e-6);  // isotropic
+    EXPECT_NEAR(0.0, good.joints[i].upper, 1e-9);
+  }
+  const auto far = evaluate(3.0, 0.0, 0.0);
+  EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, far.reachable);
+  EXPECT_FALSE(far.has_values);
+  EXPECT_EQ(BindingLimit::REACH, far.limit.kind);
+  EXPECT_FALSE(far.limit.joint.empty());
+  EXPECT_LT(far.limit.margin.upper, 0.0);
+  const auto stretched = evaluate(0.45, 0.45, 0.45);
+  EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, stretched.verdict);
+  EXPECT_EQ(EvaluatePoint::Response::INSIDE, stretched.reachable);
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, evaluate(std::nan(""), 0.0, 0.0).error_code);
+}
+}  // namespace test
+}  // namespace pkm_workspace

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/CheckRegion.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include "node_client.h"
+#include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/machine/catalogue.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+using Request = CheckRegion::Request;
+using Response = CheckRegion::Response;
+const double EDGE = 1.0 / std::sqrt(6.0) + 1.0 / (3.0 * std::sqrt(2.0));  // of the largest cube [m]
+const double CENTER = (1.0 / std::sqrt(6.0) - 1.0 / (3.0 * std::sqrt(2.0))) / 2.0;
+
+Request solid(std::uint8_t type, const std::vector<double>& dimensions)
+{
+  Request request;
+  request.solid.type = type;
+  request.solid.dimensions = dimensions;
+  request.center.x = request.center.y = request.center.z = CENTER;
+  return request;
+}
+
+Request cube(double edge)
+{
+  return solid(shape_msgs::SolidPrimitive::BOX, { edge, edge, edge });
+}
+
+Response check(const Request& request)
+{
+  return call<CheckRegion>("check_region", request);
+}
+}  // namespace
+
+TEST(CheckRegion, hasNoTolerance)
+{
+  const auto inside = check(cube(EDGE - 1e-12));
+  EXPECT_EQ(Response::INSIDE, inside.verdict) << inside.message;
+  EXPECT_EQ("base_link", inside.header.frame_id);
+  EXPECT_EQ(2.0, inside.hypotheses.psi_max);
+  const auto outside = check(cube(EDGE + 1e-12));
+  ASSERT_EQ(Response::OUTSIDE, outside.verdict) << outside.message;
+  const Eigen::Vector3d bad(outside.bad_point.x, outside.bad_point.y, outside.bad_point.z);
+  EXPECT_LE((bad.array() - CENTER).abs().maxCoeff(), 0.5 * (EDGE + 1e-12));
+  EXPECT_EQ(BoxVerdict::OUTSIDE, BoxTest(orthoglide(), Criterion()).classify(bad));
+}
+
+TEST(CheckRegion, takesSpheresAndCylinders)
+{
+  using Solid = shape_msgs::SolidPrimitive;
+  EXPECT_EQ(Response::INSIDE, check(solid(Solid::SPHERE, { 0.4 })).verdict);
+  EXPECT_EQ(Response::OUTSIDE, check(solid(Solid::SPHERE, { 0.8 })).verdict);
+  EXPECT_EQ(Response::INSIDE, check(solid(Solid::CYLINDER, { 0.4, 0.3 })).verdict);
+  EXPECT_EQ(Response::OUTSIDE, check(solid(Solid::CYLINDER, { 0.4, 0.9 })).verdict);
+  EXPECT_EQ(Response::INSIDE, check(solid(Solid::CYLINDER, { 0.0, 0.3 })).verdict);
+  EXPECT_EQ(Response::INSIDE, check(solid(Solid::CYLINDER, { 0.3, 0.0 })).verdict);
+}
+
+TEST(CheckRegion, answersForTheCriterionOfTheRequest)
+{
+  Request request = cube(0.7);
+  EXPECT_EQ(Response::OUTSIDE, check(request).verdict);
+  request.criterion.psi_min = 1.0 / 3.0;
+  request.criterion.psi_max = 3.0;
+  const auto wider = check(request);
+  EXPECT_EQ(Response::INSIDE, wider.verdict);
+  EXPECT_EQ(3.0, wider.hypotheses.psi_max);
+}
+
+TEST(CheckRegion, isUndecidedWhenItMayNotLook)
+{
+  Request request = cube(0.6439);
+  request.max_boxes = 10;
+  const auto response = check(request);
+  EXPECT_EQ(Response::UNDECIDED, response.verdict);
+  EXPECT_LE(response.boxes, 10);
+}
+
+TEST(CheckRegion, refusesWhatIsOutOfRange)
+{
+  struct Case
+  {
+    void (*spoil)(Request&);
+    const char* message;
+    std::int32_t error_code = ErrorCode::INVALID_REQUEST;
+  };
+  const Case cases[] = {
+    { [](Request& r) { r.solid = shape_msgs::SolidPrimitive(); }, "solid.type = 0 must be BOX = 1" },
+    { [](Request& r) { r.solid.type = 2; }, "solid.dimensions = .* must be one radius" },
+    { [](Request& r) { r.solid.dimensions[2] = std::nan(""); }, "solid.dimensions = .*nan.* must be three full sides" },
+    { [](Request& r) { r.center.y = std::nan(""); }, "center = .*nan.* must be finite" },
+    { [](Request& r) { r.criterion.psi_min = -1.0; }, "psi_min = -1" },
+    { [](Request& r) { r.max_boxes = -1; }, "max_boxes = -1" },
+    { [](Request& r) { r.header.frame_id = "nowhere"; }, "'nowhere' is not known", ErrorCode::UNKNOWN_FRAME },
+  };
+  for (const Case& bad : cases)
+  {
+    Request request = cube(0.5);
+    bad.spoil(request);
+    const auto response = check(request);
+    EXPECT_EQ(bad.error_code, response.error_code);
+    EXPECT_EQ(0, response.verdict);
+    EXPECT_TRUE(std::regex_search(response.message, std::regex(bad.message))) << response.message;
+  }
+}
+}  // namespace test
+}  // namespace pkm_workspace
