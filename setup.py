@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Used by catkin_python_setup() only."""
+
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(**generate_distutils_setup(packages=["pkm_workspace"], package_dir={"": "python"}))
