@@ -35,7 +35,7 @@ public:
     options.vector("sides", sides_, "A B C", LENGTH_NOT_NEGATIVE,
                    "full sides of the box along x, y and z; 0 for no thickness, at least one above 0");
     options.require({ "center", "sides" });
-    declareCriterion(options, criterion_);
+    criterion_options_.declare(options, criterion_);
     options.count("max-boxes", max_boxes_, MOST_BOXES, "boxes looked at before it ends undecided");
     options.check({ "sides" }, [this](Problems& problems) { setShape(problems); });
   }
@@ -76,13 +76,13 @@ private:
   std::string message(const ContainmentResult& result) const
   {
     if (result.verdict == Containment::INSIDE)
-      return "Proved: every point of the box is dextrous.";
+      return "Proved: every point of the box is " + cli::name(criterion_.set) + ".";
     if (result.verdict == Containment::UNDECIDED)
       return "Neither is proved: the border of the set is within rounding of the box, or " +
              std::to_string(max_boxes_) + " boxes (--max-boxes) were not enough.";
     const Words reasons = violations(machine_.machine(), criterion_, *result.bad_point);
-    return "Proved: the bad point lies in the box and is not dextrous" + std::string(reasons.empty() ? "" : ": ") +
-           joined(reasons, "; ") + ".";
+    return "Proved: the bad point lies in the box and is not " + cli::name(criterion_.set) +
+           std::string(reasons.empty() ? "" : ": ") + joined(reasons, "; ") + ".";
   }
 
   std::string print(const ContainmentResult& result) const
@@ -98,6 +98,7 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
+  CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> center_;
   std::optional<Eigen::Vector3d> sides_;
   ShapePtr shape_;

@@ -94,12 +94,27 @@ void ShapeOptions::declare(Options& options, RegionQuery& query)
   });
 }
 
-void declareCriterion(Options& options, Criterion& criterion)
+void CriterionOptions::declare(Options& options, Criterion& criterion)
 {
+  options.choice("set", set_, { "dextrous", "reachable" },
+                 "what is asked of every point: bounded velocity transmission factors, or the struts' reach only; with "
+                 "all that is given below");
   options.number("psi-min", criterion.psi_min, NUMBER_POSITIVE, "least velocity transmission factor that is allowed");
   options.number("psi-max", criterion.psi_max, NUMBER_POSITIVE, "largest velocity transmission factor that is allowed");
+  options.number("force-min", criterion.force_min, NUMBER_POSITIVE,
+                 "least force transmission factor 1 / psi that is allowed; without it, any");
+  options.number("force-max", criterion.force_max, NUMBER_POSITIVE,
+                 "largest force transmission factor 1 / psi that is allowed; without it, any");
+  options.number("kappa-max", criterion.kappa_max, CONDITION,
+                 "largest condition number of J (largest psi over least psi) that is allowed; without it, any");
   options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
-  options.check({ "psi-min", "psi-max" }, [&criterion](Problems& problems) { criterion.validate(problems); });
+  options.check({ "set", "psi-min", "psi-max" }, [this, &criterion, &options](Problems& problems) {
+    criterion.set = set_ == "reachable" ? Criterion::Set::REACHABLE : Criterion::Set::DEXTROUS;
+    if (set_ == "reachable" && (options.given("psi-min") || options.given("psi-max")))
+      problems.push_back("a reachable set has no bounds of velocity transmission factors: leave them out");
+  });
+  options.check({ "psi-min", "psi-max", "force-min", "force-max", "kappa-max" },
+                [&criterion](Problems& problems) { criterion.validate(problems); });
 }
 
 void declareBudget(Options& options, Budget& budget)

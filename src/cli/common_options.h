@@ -67,8 +67,16 @@ private:
   std::optional<RatioRange> ratio_;
 };
 
-/// --psi-min, --psi-max, --joint-limits.
-void declareCriterion(Options& options, Criterion& criterion);
+/// --set, --psi-min, --psi-max, --force-min, --force-max, --kappa-max, --joint-limits.
+class CriterionOptions
+{
+public:
+  /// Sets the criterion, all but its aspect.
+  void declare(Options& options, Criterion& criterion);
+
+private:
+  std::string set_ = "dextrous";
+};
 
 constexpr std::int64_t MOST_BOXES = 1000000000000;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <chrono>
 
 #include "command.h"
 #include "common_options.h"
@@ -53,6 +54,7 @@ Json jsonOf(const PaperRow& row)
            { "what", row.what },
            { "paper", row.paper },
            { "ours", row.ours },
+           { "bracket", toJson(row.bracket) },
            { "holds", row.holds ? Json(*row.holds) : Json() } };
 }
 
@@ -113,21 +115,21 @@ public:
     machines_.declare(options);
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
     shape_.declare(options, query_);
-    declareCriterion(options, query_.criterion);
+    criterion_options_.declare(options, query_.criterion);
     options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
                    "largest difference between the proved size and its upper bound");
     declareBudget(options, query_.budget);
+    options.flag("progress", progress_, PROGRESS_HELP);
     options.check({ "urdf", "paper" }, [this](Problems& problems) {
       if (paper_ != (machines_.count() == 0))
         problems.push_back("give either --urdf FILE, once for each machine, or --paper");
     });
-    options.check(
-        { "paper", "shape", "proportions", "ratio", "psi-min", "psi-max", "joint-limits" },
-        [this, &options](Problems& problems) {
-          for (const char* name : { "shape", "proportions", "ratio", "psi-min", "psi-max", "joint-limits" })
-            if (paper_ && options.given(name))
-              problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
-        });
+    options.check({ "paper" }, [this, &options](Problems& problems) {
+      for (const char* name : { "shape", "proportions", "ratio", "set", "psi-min", "psi-max", "force-min", "force-max",
+                                "kappa-max", "joint-limits" })
+        if (paper_ && options.given(name))
+          problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
+    });
   }
 
   Words warnings() const override { return machines_.warnings(); }
@@ -135,11 +137,16 @@ public:
   Answer answer() override
   {
     query_.budget.stop = stopOnSignal();
-    return paper_ ? answerPaper() : answerMachines();
+    Progress progress(progress_);
+    const auto begin = std::chrono::steady_clock::now();
+    const Tell tell = [&](const std::string& text) {
+      progress.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), text);
+    };
+    return paper_ ? answerPaper(tell) : answerMachines(tell);
   }
 
 private:
-  Answer answerMachines()
+  Answer answerMachines(const Tell& tell)
   {
     query_.budget.time_limit /= static_cast<double>(machines_.count());
     std::vector<Comparison> studies;
@@ -147,7 +154,7 @@ private:
     std::string regions;
     for (const UrdfMachine& urdf : machines_.machines())
     {
-      studies.push_back(comparisonOf(urdf.machine, query_, VOLUME_ACCURACY));
+      studies.push_back(comparisonOf(urdf.machine, query_, VOLUME_ACCURACY, tell));
       json["machines"].push_back(jsonOf(studies.back()));
       regions += wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() +
                          "': " + studies.back().region.message);
@@ -159,11 +166,11 @@ private:
                        wrapped(definition(query_.criterion)) };
   }
 
-  Answer answerPaper()
+  Answer answerPaper(const Tell& tell)
   {
     Json json = { { "rows", Json::array() } };
     std::vector<Words> lines = { { "place", "what", "paper", "ours", "the paper's" } };
-    for (const PaperRow& row : paperRows(query_.accuracy, query_.budget))
+    for (const PaperRow& row : paperRows(query_.accuracy, query_.budget, tell))
     {
       json["rows"].push_back(jsonOf(row));
       lines.push_back({ row.place, row.what, row.paper, row.ours, row.holds ? *row.holds ? "holds" : "fails" : "-" });
@@ -176,7 +183,9 @@ private:
 
   MachinesOptions machines_;
   bool paper_ = false;
+  bool progress_ = false;
   RegionQuery query_;
+  CriterionOptions criterion_options_;
   ShapeOptions shape_;
 };
 }  // namespace

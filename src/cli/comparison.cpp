@@ -47,17 +47,22 @@ Interval Comparison::largest(Interval JointRange::*part) const
   return most;
 }
 
-Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy)
+Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell)
 {
   Comparison study{ machine, query, {} };
   study.query.budget.time_limit /= PARTS;
+  study.query.progress = [&](const RegionProgress& state) {
+    tell(machine.name() + ", largest region: size " + bracket(state.size, state.size_upper_bound));
+  };
   const Budget& budget = study.query.budget;
   study.region = findLargestRegion(machine, study.query);
+  study.query.progress = nullptr;
   if (!(study.region.size > 0.0))
     return study;
   for (std::size_t i = 0; i < 3; ++i)
     study.ranges[i] = hull(study.region.joint_ranges[i].lower, study.region.joint_ranges[i].upper);
   study.ranges = equalisedRanges(study.ranges);
+  tell(machine.name() + ", volume for the strokes");
   study.workspace = workspaceOfRanges(machine, { study.ranges, volume_accuracy, budget });
   const auto singularities = [&budget](const Machine& in, SingularityQuery of) {
     const std::int64_t most = of.budget.max_boxes;
@@ -65,6 +70,7 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
     of.budget.max_boxes = budget.max_boxes > 0 ? std::min(most, budget.max_boxes) : most;
     return findSingularities(in, of);
   };
+  tell(machine.name() + ", singularities");
   study.in_region =
       singularities(machine, singularitiesOver(study.region.shape, study.region.center, study.region.size));
   SingularityQuery in_ranges;

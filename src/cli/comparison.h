@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,12 @@ struct Comparison
   Interval largest(Interval JointRange::*part) const;  ///< of the three joints [m]
 };
 
+/// Told what is computed just now.
+using Tell = std::function<void(const std::string&)>;
+
 /// Finds the largest region, then what follows from it. The time limit is shared by all parts.
 /// @throws std::invalid_argument for a query that is not valid or has no bounded answer
-Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy);
+Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell);
 
 /// One number of a study.
 struct Figure

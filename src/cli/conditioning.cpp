@@ -35,7 +35,7 @@ public:
   {
     machine_.declare(options);
     region_.declare(options);
-    declareCriterion(options, criterion_);
+    criterion_options_.declare(options, criterion_);
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
     declareBudget(options, query_.budget);
   }
@@ -77,6 +77,7 @@ private:
   MachineOptions machine_;
   RegionOption region_;
   Criterion criterion_;
+  CriterionOptions criterion_options_;
   ConditioningQuery query_;
 };
 }  // namespace

@@ -22,14 +22,14 @@ BoxVerdict ownAspect(const Machine& machine, const PointEvaluation& there)
   return sign == machine.aspect() ? BoxVerdict::INSIDE : BoxVerdict::OUTSIDE;
 }
 
-std::string message(const Machine& machine, const PointEvaluation& there)
+std::string message(const Machine& machine, const PointEvaluation& there, const std::string& quality)
 {
   if (there.verdict == BoxVerdict::INSIDE)
-    return "The point is dextrous.";
+    return "The point is " + quality + ".";
   if (there.verdict == BoxVerdict::UNDECIDED)
-    return "Whether the point is dextrous is not decided: it is within rounding of the border.";
+    return "Whether the point is " + quality + " is not decided: it is within rounding of the border.";
   const Words found = violations(machine, there);
-  return "The point is not dextrous: " +
+  return "The point is not " + quality + ": " +
          (found.empty() ? "it misses a bound by less than the rounding of doubles" : joined(found, "; ")) + ".";
 }
 
@@ -89,8 +89,9 @@ public:
   {
     return "Tells how the machine stands at one tool point: joint values, velocity transmission factors psi "
            "(singular values of J^-1), condition number of J, nearness to singularities, and whether the "
-           "point is dextrous, with the condition that binds there. The verdicts and the bounds that --json adds are "
-           "proved; the other numbers are in floating point.";
+           "point is dextrous, or satisfies whatever is asked for, with the condition that binds there. The verdicts "
+           "and the bounds that --json adds are proved; the other numbers are in floating point. With --points, the "
+           "same for every point of a file.";
   }
 
   Words examples() const override { return { "pkm evaluate --urdf orthoglide.urdf --point -0.1 0 0.2" }; }
@@ -99,37 +100,73 @@ public:
   {
     machine_.declare(options);
     options.vector("point", point_, "X Y Z", LENGTH, "tool point, in the frame of the root link");
-    options.require({ "point" });
-    declareCriterion(options, criterion_);
+    options.points("points", points_, "file of tool points in place of --point: one a line, as X Y Z [m]");
+    options.check({ "point", "points" }, [this](Problems& problems) {
+      if (point_.has_value() != points_.empty())
+        problems.push_back("give either --point X Y Z, or --points FILE with one point or more");
+    });
+    criterion_options_.declare(options, criterion_);
   }
 
   Words warnings() const override { return machine_.warnings(); }
 
   Answer answer() override
   {
+    Json json = contextOf(machine_.machine(), criterion_);
+    json["joints"] = Json::array();
+    for (const Leg& leg : machine_.machine().legs())
+      json["joints"].push_back(leg.joint);
+    if (point_)
+    {
+      json.update(stateAt(*point_));
+      return { json, print(json) };
+    }
+    json["points"] = Json::array();
+    for (const Eigen::Vector3d& point : points_)
+      json["points"].push_back(stateAt(point));
+    return { json, table(json["points"]) };
+  }
+
+private:
+  Json stateAt(const Eigen::Vector3d& point) const
+  {
     const Machine& machine = machine_.machine();
-    const PointEvaluation there = evaluatePoint(machine, criterion_, *point_);
-    Json json = contextOf(machine, criterion_);
-    json.update(numbersOf(machine, *point_));
-    json["point"] = toJson(*point_);
+    const PointEvaluation there = evaluatePoint(machine, criterion_, point);
+    Json json = numbersOf(machine, point);
+    json["point"] = toJson(point);
     json["reachable"] = toJson(there.reachable);
-    json["dextrous"] = toJson(there.verdict);
+    json["satisfies"] = toJson(there.verdict);
+    if (criterion_.set == Criterion::Set::DEXTROUS)
+      json["dextrous"] = json["satisfies"];
     json["aspect_ok"] = there.reachable == BoxVerdict::OUTSIDE ? Json() : toJson(ownAspect(machine, there));
     json["psi_bounds"] = there.has_values ? toJson(there.psi) : Json();
     json["rho_bounds"] = there.has_values ? toJson(there.rho) : Json();
     json["binding"] = toJson(machine, there.binding());
-    json["joints"] = Json::array();
-    for (const Leg& leg : machine.legs())
-      json["joints"].push_back(leg.joint);
-    json["message"] = message(machine, there);
-    return { json, print(json) };
+    json["message"] = message(machine, there, name(criterion_.set));
+    return json;
   }
 
-private:
+  std::string table(const Json& points) const
+  {
+    std::vector<Words> rows = { { "point [m]", "", "", "psi", "", "", name(criterion_.set) } };
+    for (const Json& state : points)
+    {
+      Words row;
+      for (const Json& value : state["point"])
+        row.push_back(exact(value));
+      for (std::size_t k = 0; k < 3; ++k)
+        row.push_back(state["psi"].is_null() ? "-" : nearly(state["psi"][k], 6));
+      row.push_back(state["satisfies"].is_null() ? "undecided" : state["satisfies"] ? "yes" : "no");
+      rows.push_back(row);
+    }
+    return aligned(rows, Align::RIGHT) + "\n" + wrapped(definition(criterion_));
+  }
+
   std::string print(const Json& json) const
   {
     std::vector<Words> rows = { { "reachable", verdictText(json["reachable"]) },
-                                { "dextrous", verdictText(json["dextrous"]) } };
+                                { criterion_.set == Criterion::Set::DEXTROUS ? "dextrous" : "satisfies",
+                                  verdictText(json["satisfies"]) } };
     const auto add = [&](const char* label, const char* key, const std::string& unit) {
       if (!json[key].is_null())
         rows.push_back({ label, text(json[key], unit) });
@@ -149,7 +186,9 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
+  CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> point_;
+  std::vector<Eigen::Vector3d> points_;
 };
 }  // namespace
 

@@ -68,7 +68,7 @@ public:
   {
     machine_.declare(options);
     shape_.declare(options, query_);
-    declareCriterion(options, query_.criterion);
+    criterion_options_.declare(options, query_.criterion);
     options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
                    "largest difference between the proved size and its upper bound (of a box: in factors)");
     options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
@@ -137,16 +137,18 @@ private:
     const std::string where = center_             ? "with this center"
                               : query_.search_box ? "with its center in the search box"
                                                   : "wherever its center";
-    const std::string first = "every point of the " + shape + " with this center and size is dextrous; ";
+    const std::string first =
+        "every point of the " + shape + " with this center and size is " + name(query_.criterion.set) + "; ";
     const bool slides = machine_.machine().hasParallelRails() && !query_.criterion.joint_limits;
     return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
-           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points dextrous." +
-           (slides ? " The rails are parallel: the same holds all along them." : "");
+           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points " +
+           name(query_.criterion.set) + "." + (slides ? " The rails are parallel: the same holds all along them." : "");
   }
 
   MachineOptions machine_;
   RegionQuery query_;
   bool progress_ = false;
+  CriterionOptions criterion_options_;
   ShapeOptions shape_;
   std::optional<Eigen::Vector3d> center_;
 };

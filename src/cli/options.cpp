@@ -108,6 +108,11 @@ void Options::range(const std::string& name, std::optional<RatioRange>& target, 
   });
 }
 
+void Options::points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help)
+{
+  add(name, "FILE", help, [&target](const Words& words) { target = readPoints(readText(words[0])); });
+}
+
 void Options::box(const std::string& name, std::optional<Box>& target, const std::string& help)
 {
   add(name, "X0 X1 Y0 Y1 Z0 Z1", help + "; each " + LENGTH.describe() + ", X0 <= X1, Y0 <= Y1, Z0 <= Z1",

@@ -46,6 +46,8 @@ public:
   /// Two numbers, the least one first.
   void range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
              const std::string& help);
+  /// The points of a file, one a line as X Y Z; empty lines and what follows a # are skipped.
+  void points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help);
   void box(const std::string& name, std::optional<Box>& target, const std::string& help);
 
   /// Asks for the options of these names.

@@ -19,11 +19,18 @@ Json contextOf(const Machine& machine, const Criterion& criterion)
                 { "geometry_hash", machine.geometryHash() },
                 { "version", version() },
                 { "joint_limits", criterion.joint_limits } };
+  json["set"] = name(criterion.set);
   if (criterion.set == Criterion::Set::DEXTROUS)
   {
     json["psi_min"] = criterion.psi_min;
     json["psi_max"] = criterion.psi_max;
   }
+  if (criterion.force_min > 0.0)
+    json["force_min"] = criterion.force_min;
+  if (criterion.force_max > 0.0)
+    json["force_max"] = criterion.force_max;
+  if (criterion.kappa_max > 0.0)
+    json["kappa_max"] = criterion.kappa_max;
   return json;
 }
 
@@ -116,6 +123,12 @@ std::string definition(const Criterion& criterion)
         "Dextrous: reachable in the machine's own working mode and aspect, with all velocity transmission factors in "
         "[" +
         exact(criterion.psi_min) + ", " + exact(criterion.psi_max) + "]";
+  if (criterion.force_min > 0.0)
+    text += ", with force transmission factors of at least " + exact(criterion.force_min);
+  if (criterion.force_max > 0.0)
+    text += ", with force transmission factors of at most " + exact(criterion.force_max);
+  if (criterion.kappa_max > 0.0)
+    text += ", with a condition number of J of at most " + exact(criterion.kappa_max);
   return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");
 }
 

@@ -42,7 +42,7 @@ struct Printed
 
 PaperRow row(const std::string& place, const std::string& what, const Printed& paper, const Interval& ours)
 {
-  return { place, what, paper.text, describe(ours), paper.holds(ours) };
+  return { place, what, paper.text, describe(ours), ours, paper.holds(ours) };
 }
 
 /// R = 7/13 + lambda, r = 3/26, L = 1 m.
@@ -54,7 +54,7 @@ Machine uranesxAt(const Interval& lambda)
 class PaperTables
 {
 public:
-  PaperTables(double accuracy, const Budget& budget)
+  PaperTables(double accuracy, const Budget& budget, const Tell& tell) : tell_(tell)
   {
     query_.accuracy = accuracy;
     query_.budget = budget;
@@ -63,8 +63,8 @@ public:
 
   std::vector<PaperRow> run()
   {
-    const Comparison cube = comparisonOf(orthoglide(), query_, VOLUME_ACCURACY);
-    const Comparison square = comparisonOf(uranesxAt(0.0), query_, VOLUME_ACCURACY);
+    const Comparison cube = comparisonOf(orthoglide(), query_, VOLUME_ACCURACY, tell_);
+    const Comparison square = comparisonOf(uranesxAt(0.0), query_, VOLUME_ACCURACY, tell_);
     addTable1();
     addTable2();
     addRanges("Orthoglide", cube, { "0.181" }, { "0.825" });
@@ -80,6 +80,7 @@ public:
 private:
   LargestRegion largest(const Machine& machine, const ShapePtr& shape, double accuracy) const
   {
+    tell_("largest " + shape->name() + " of " + machine.name());
     RegionQuery query = query_;
     query.shape = shape;
     query.accuracy = accuracy;
@@ -100,7 +101,8 @@ private:
     {
       const LargestRegion region = largest(orthoglide(), makeCube(), time.accuracy);
       const std::string at = " for accuracy " + exact(time.accuracy) + " m";
-      rows_.push_back({ "table 1", "seconds" + at, time.seconds, nearly(region.seconds, 2), std::nullopt });
+      rows_.push_back(
+          { "table 1", "seconds" + at, time.seconds, nearly(region.seconds, 2), Interval::empty(), std::nullopt });
       rows_.push_back(row("section 4.3", "edge of the cube [m]" + at, { "0.644" }, sizeOf(region)));
     }
   }
@@ -130,7 +132,7 @@ private:
     }
     const LargestRegion smaller = largest(uranesxAt(-0.035), makeSquare(), query_.accuracy);
     rows_.push_back({ "section 4.3", "edge of the square [m] for lambda = -0.035 m", "not satisfied",
-                      describe(sizeOf(smaller)), verdict(smaller.size == 0.0, smaller.size > 0.0) });
+                      describe(sizeOf(smaller)), sizeOf(smaller), verdict(smaller.size == 0.0, smaller.size > 0.0) });
   }
 
   static std::optional<bool> verdict(bool proved, bool refuted)
@@ -174,7 +176,7 @@ private:
   {
     using Status = SingularityAnswer::Status;
     const Status expected = exists ? Status::PROVED : Status::NONE;
-    rows_.push_back({ "section 4.3", what, exists ? "some" : "none", verdictOn(answer),
+    rows_.push_back({ "section 4.3", what, exists ? "some" : "none", verdictOn(answer), Interval::empty(),
                       verdict(answer.status == expected, answer.status != Status::UNDECIDED) });
   }
 
@@ -186,14 +188,15 @@ private:
     addSingularity("UraneSX, serial ones", true, least(uranesx.in_ranges.serial));
   }
 
+  const Tell& tell_;
   RegionQuery query_;
   std::vector<PaperRow> rows_;
 };
 }  // namespace
 
-std::vector<PaperRow> paperRows(double accuracy, const Budget& budget)
+std::vector<PaperRow> paperRows(double accuracy, const Budget& budget, const Tell& tell)
 {
-  return PaperTables(accuracy, budget).run();
+  return PaperTables(accuracy, budget, tell).run();
 }
 }  // namespace cli
 }  // namespace pkm_workspace

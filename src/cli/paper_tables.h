@@ -16,11 +16,12 @@ struct PaperRow
   std::string what;
   std::string paper;          ///< as printed
   std::string ours;           ///< its bracket, or what is proved
+  Interval bracket;           ///< as numbers, where it has one
   std::optional<bool> holds;  ///< within one unit of the last digit that is printed; nothing where that is open
 };
 
 /// Sections 4.3 and 4.4 of the paper, tables 1 to 4, computed anew.
 /// @param accuracy of sizes [m] @param budget its time limit is shared evenly by all regions and studies
-std::vector<PaperRow> paperRows(double accuracy, const Budget& budget);
+std::vector<PaperRow> paperRows(double accuracy, const Budget& budget, const Tell& tell);
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -53,7 +53,7 @@ public:
                      });
     options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
     options.count("max-looks", query_.max_looks, MOST_BOXES, "pieces looked at before the rest stays undecided");
-    declareCriterion(options, criterion_);
+    criterion_options_.declare(options, criterion_);
     options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
   }
 
@@ -111,7 +111,7 @@ private:
   std::string message(const PathResult& result) const
   {
     if (result.verdict == Containment::INSIDE)
-      return "Proved: every point of the path is dextrous.";
+      return "Proved: every point of the path is " + cli::name(criterion_.set) + ".";
     const PathOffence& first = *result.first;
     const std::string place =
         path_.places()[first.segment] + ", where the part t = " + nearly(first.good_until) + " of its way is done: ";
@@ -119,7 +119,7 @@ private:
       return "Not decided: the path touches the border of the set, or --max-looks was not enough, at " + place +
              describe(machine_.machine(), first.limit) + ".";
     if (!first.bad_at)
-      return "Proved: a later segment is not dextrous; not decided, at " + place +
+      return "Proved: a later segment is not " + cli::name(criterion_.set) + "; not decided, at " + place +
              describe(machine_.machine(), first.limit) + ".";
     return "Proved: the path leaves the set at " + place + describe(machine_.machine(), first.limit) + ".";
   }
@@ -144,6 +144,7 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
+  CriterionOptions criterion_options_;
   PathQuery query_;
   PathText path_;
   std::string file_;

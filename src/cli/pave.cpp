@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <stdexcept>
 
 #include "command.h"
@@ -8,6 +9,7 @@
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/paving_file.h"
+#include "pkm_workspace/paving/reachable_volume.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -16,6 +18,7 @@ namespace cli
 {
 namespace
 {
+constexpr std::int64_t MOST_LISTED = 10000000;
 constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
 
 class Pave : public Command
@@ -32,7 +35,8 @@ public:
            "With --json: volume_lower and volume_upper [m^3] (area_lower and area_upper [m^2] where dimension is 2) of "
            "the dextrous set in the machine's own aspect, or of the reachable set in both, and of each aspect in "
            "own_aspect and other_aspect; of that first set resolution [m], box [m], and boxes, boxes_here (looked at "
-           "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending.";
+           "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending. "
+           "With --list-boxes, listed: inside and undecided, each a list of boxes x0, x1, y0, y1, z0, z1 [m].";
   }
 
   Words examples() const override
@@ -46,13 +50,12 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.choice("set", set_, { "dextrous", "reachable" }, "what to approximate");
     options.number("resolution", query_.resolution, LENGTH_POSITIVE,
                    "boxes no wider than this are not divided further");
     options.box("box", query_.box,
                 "what to look at; without it, the whole workspace, or its section through the zero configuration "
                 "where nothing changes along the rails");
-    declareCriterion(options, query_.criterion);
+    criterion_options_.declare(options, query_.criterion);
     declareBudget(options, query_.budget);
     options.count("max-memory", query_.max_memory, MOST_BYTES,
                   "bytes that boxes may take before it ends with the best proved so far; without it, no limit");
@@ -61,6 +64,9 @@ public:
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
         "the answer is what a new run gives");
+    options.count("list-boxes", list_boxes_, MOST_LISTED,
+                  "with --json, lists the boxes of the machine's own aspect, at most so many: where there are more, "
+                  "larger ones, of which more are undecided");
     options.flag("progress", progress_, PROGRESS_HELP);
     declareConditions(options);
   }
@@ -75,20 +81,20 @@ public:
     if (!resume_.empty())
       earlier = loadPavings(resume_, machine_.machine(), queries);
     std::vector<Paving> pavings;
+    std::vector<Interval> sizes;
     for (std::size_t k = 0; k < queries.size(); ++k)
+    {
       pavings.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
+      sizes.push_back(sizeOf(queries[k], pavings.back()));
+    }
     if (!save_.empty())
       savePavings(save_, pavings);
-    return answerOf(machine_.machine(), pavings, isSection());
+    return answerOf(machine_.machine(), { pavings, sizes, isSection(), list_boxes_ });
   }
 
 private:
   void declareConditions(Options& options)
   {
-    options.check({ "set", "psi-min", "psi-max" }, [this, &options](Problems& problems) {
-      if (set_ == "reachable" && (options.given("psi-min") || options.given("psi-max")))
-        problems.push_back("a reachable set has no transmission factors: leave them out");
-    });
     options.check({ "max-memory" }, [this](Problems& problems) {
       if (query_.max_memory != 0 && shared(query_.max_memory) < PavingQuery::LEAST_MEMORY)
         problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
@@ -111,7 +117,7 @@ private:
   std::vector<Criterion::Aspect> aspects() const
   {
     using Aspect = Criterion::Aspect;
-    if (set_ == "reachable")
+    if (query_.criterion.set == Criterion::Set::REACHABLE)
       return { Aspect::BOTH, Aspect::OWN, Aspect::OTHER };
     return { Aspect::OWN, Aspect::OTHER };
   }
@@ -130,7 +136,6 @@ private:
     for (const Criterion::Aspect aspect : aspects())
     {
       PavingQuery query = query_;
-      query.criterion.set = set_ == "reachable" ? Criterion::Set::REACHABLE : Criterion::Set::DEXTROUS;
       query.criterion.aspect = aspect;
       query.budget.time_limit = shared(query_.budget.time_limit);
       query.max_memory = shared(query_.max_memory);
@@ -152,12 +157,25 @@ private:
     return earlier ? resume(machine_.machine(), query, *earlier) : pave(machine_.machine(), query);
   }
 
+  /// Encloses the volume; of a set without factors more closely than the boxes do, with what is left of the time.
+  Interval sizeOf(const PavingQuery& query, const Paving& paving) const
+  {
+    const Interval size(paving.volumeLower(), paving.volumeUpper());
+    if (query.criterion.boundsFactors())
+      return size;
+    Budget budget = query.budget;
+    if (budget.time_limit > 0.0)
+      budget.time_limit = std::max(1e-9, budget.time_limit - paving.seconds);
+    return intersection(size, reachableVolume(machine_.machine(), query.criterion, paving, budget));
+  }
+
   MachineOptions machine_;
   PavingQuery query_;
   bool progress_ = false;
-  std::string set_ = "dextrous";
+  CriterionOptions criterion_options_;
   std::string save_;
   std::string resume_;
+  std::int64_t list_boxes_ = 0;
 };
 }  // namespace
 

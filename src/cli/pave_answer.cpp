@@ -12,15 +12,16 @@ namespace cli
 {
 namespace
 {
-Json bracketOf(const Paving& paving)
+Json bracketOf(const Paved& paved, std::size_t index)
 {
-  const std::string name = Measure(paving.box).name;
-  return { { name + "_lower", paving.volumeLower() }, { name + "_upper", paving.volumeUpper() } };
+  const std::string name = Measure(paved.pavings[index].box).name;
+  return { { name + "_lower", paved.sizes[index].lower() }, { name + "_upper", paved.sizes[index].upper() } };
 }
 
-std::string sizeOf(const Paving& paving)
+std::string sizeOf(const Paved& paved, std::size_t index)
 {
-  return bracket(paving.volumeLower(), paving.volumeUpper()) + Measure(paving.box).unit;
+  const Interval& size = paved.sizes[index];
+  return bracket(size.lower(), size.upper()) + Measure(paved.pavings[index].box).unit;
 }
 
 bool isComplete(const std::vector<Paving>& pavings)
@@ -36,13 +37,50 @@ double secondsOf(const std::vector<Paving>& pavings)
   return sum;
 }
 
-Json toJson(const Machine& machine, const std::vector<Paving>& pavings)
+void append(const std::vector<Box>& boxes, Json& list)
 {
+  for (const Box& box : boxes)
+  {
+    list.push_back(Json::array());
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double end : { box.lower[axis], box.upper[axis] })
+        list.back().push_back(end);
+  }
+}
+
+/// Boxes of the levels down to one, those that are divided there taken as undecided.
+std::int64_t countTo(const BoxTree& tree, std::size_t last)
+{
+  std::int64_t count = tree.count(CellState::SPLIT, last);
+  for (std::size_t level = 0; level <= last; ++level)
+    for (const CellState state : { CellState::INSIDE, CellState::BOUNDARY, CellState::PENDING })
+      count += tree.count(state, level);
+  return count;
+}
+
+Json listOf(const BoxTree& tree, std::int64_t most)
+{
+  std::size_t last = 0;
+  while (last + 1 < tree.levels() && countTo(tree, last + 1) <= most)
+    ++last;
+  Json list = { { "inside", Json::array() }, { "undecided", Json::array() } };
+  for (const CellState state : { CellState::INSIDE, CellState::BOUNDARY, CellState::PENDING, CellState::SPLIT })
+  {
+    const auto boxes = tree.boxes(state);
+    for (std::size_t level = state == CellState::SPLIT ? last : 0; level <= last && level < boxes.size(); ++level)
+      append(boxes[level], list[state == CellState::INSIDE ? "inside" : "undecided"]);
+  }
+  return list;
+}
+
+Json toJson(const Machine& machine, const Paved& paved)
+{
+  const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings.front();
   Json json = contextOf(machine, whole.criterion);
-  json.update(bracketOf(whole));
-  json["own_aspect"] = bracketOf(*(pavings.end() - 2));
-  json["other_aspect"] = bracketOf(pavings.back());
+  json.update(bracketOf(paved, 0));
+  json["own_aspect"] = bracketOf(paved, pavings.size() - 2);
+  json["other_aspect"] = bracketOf(paved, pavings.size() - 1);
   json["dimension"] = Measure(whole.box).dimension;
   json["set"] = name(whole.criterion.set);
   json["resolution"] = whole.resolution;
@@ -54,16 +92,19 @@ Json toJson(const Machine& machine, const std::vector<Paving>& pavings)
   json["boxes_pending"] = whole.tree.count(CellState::PENDING);
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
+  if (paved.most_listed > 0)
+    json["listed"] = listOf((pavings.end() - 2)->tree, paved.most_listed);
   return json;
 }
 
-std::string proofOf(const std::vector<Paving>& pavings, bool is_section)
+std::string proofOf(const Paved& paved)
 {
+  const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings.front();
   const Measure measure(whole.box);
   std::string text = "Proved: the " + name(whole.criterion.set) + " points of the box have " +
-                     (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(whole) + ".";
-  if (is_section)
+                     (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(paved, 0) + ".";
+  if (paved.is_section)
     text +=
         " The rails are parallel: the box is flat, across the axis they run along, and in every plane parallel to "
         "it the area is the same.";
@@ -72,16 +113,17 @@ std::string proofOf(const std::vector<Paving>& pavings, bool is_section)
   return text;
 }
 
-std::string print(const Machine& machine, const std::vector<Paving>& pavings, bool is_section)
+std::string print(const Machine& machine, const Paved& paved)
 {
+  const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings.front();
   const auto count = [&whole](CellState state) { return std::to_string(whole.tree.count(state)) + " boxes"; };
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
   const std::vector<Words> rows = {
-    { Measure(whole.box).name, sizeOf(whole) },
-    { "own aspect", sizeOf(*(pavings.end() - 2)) },
-    { "other aspect", sizeOf(pavings.back()) },
+    { Measure(whole.box).name, sizeOf(paved, 0) },
+    { "own aspect", sizeOf(paved, pavings.size() - 2) },
+    { "other aspect", sizeOf(paved, pavings.size() - 1) },
     { "inside", count(CellState::INSIDE) },
     { "boundary", count(CellState::BOUNDARY) + ", undecided at the resolution" },
     { "pending", count(CellState::PENDING) + ", not looked at" },
@@ -90,8 +132,7 @@ std::string print(const Machine& machine, const std::vector<Paving>& pavings, bo
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(pavings)) },
   };
   return "Paving of the " + name(whole.criterion.set) + " set of machine '" + machine.name() + "'\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(pavings, is_section)) +
-         wrapped(definition(whole.criterion));
+         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(whole.criterion));
 }
 }  // namespace
 
@@ -104,9 +145,9 @@ Measure::Measure(const Box& box)
   unit = UNITS[dimension];
 }
 
-Answer answerOf(const Machine& machine, const std::vector<Paving>& pavings, bool is_section)
+Answer answerOf(const Machine& machine, const Paved& paved)
 {
-  return { toJson(machine, pavings), print(machine, pavings, is_section) };
+  return { toJson(machine, paved), print(machine, paved) };
 }
 }  // namespace cli
 }  // namespace pkm_workspace

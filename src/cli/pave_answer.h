@@ -21,10 +21,18 @@ struct Measure
   std::string unit;  ///< " m^3"
 };
 
+/// What there is to say of pavings.
+struct Paved
+{
+  /// Of the set that was asked for, of its part in the machine's own aspect unless that is the same, and of its part in
+  /// the other aspect.
+  std::vector<Paving> pavings;
+  std::vector<Interval> sizes;   ///< enclose their volumes, or areas
+  bool is_section = false;       ///< the box is the plane across the rails along which nothing changes
+  std::int64_t most_listed = 0;  ///< boxes that are listed in the JSON object
+};
+
 /// What pkm pave says.
-/// @param pavings of the set that was asked for, of its part in the machine's own aspect unless that is the same, and
-/// of its part in the other aspect
-/// @param is_section whether the box is the plane across the rails along which nothing changes
-Answer answerOf(const Machine& machine, const std::vector<Paving>& pavings, bool is_section);
+Answer answerOf(const Machine& machine, const Paved& paved);
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
@@ -113,6 +115,36 @@ Words readTexts(const Words& words)
   Words texts;
   std::transform(words.begin(), words.end(), std::back_inserter(texts), readText);
   return texts;
+}
+
+std::vector<Eigen::Vector3d> readPoints(const std::string& path)
+{
+  std::ifstream file(path);
+  if (!file || file.peek() == std::ifstream::traits_type::eof())
+    throw std::invalid_argument("the file cannot be read, or is empty");
+  std::vector<Eigen::Vector3d> points;
+  int number = 0;
+  for (std::string line; std::getline(file, line);)
+  {
+    ++number;
+    std::istringstream stream(line.substr(0, line.find('#')));
+    const Words words{ std::istream_iterator<std::string>(stream), {} };
+    if (words.empty())
+      continue;
+    if (words.size() != 3)
+      throw std::invalid_argument("line " + std::to_string(number) + ": needs 3 numbers (X Y Z), got " +
+                                  std::to_string(words.size()));
+    try
+    {
+      const std::vector<double> numbers = readNumbers(words, LENGTH);
+      points.emplace_back(numbers[0], numbers[1], numbers[2]);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      throw std::invalid_argument("line " + std::to_string(number) + ": " + reason.what());
+    }
+  }
+  return points;
 }
 
 Box readBox(const Words& words)

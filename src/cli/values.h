@@ -33,6 +33,7 @@ const Quantity LENGTH_NOT_NEGATIVE{ "m", 0.0 };
 const Quantity LENGTH_POSITIVE{ "m", 0.0, false };
 const Quantity NUMBER_POSITIVE{ "", 0.0, false };
 const Quantity NUMBER_NOT_NEGATIVE{ "", 0.0 };
+const Quantity CONDITION{ "", 1.0 };
 const Quantity TIME_POSITIVE{ "s", 0.0, false };
 
 /// Each of these reads the words of one option. @throws std::invalid_argument with the word and what is allowed
@@ -41,6 +42,8 @@ std::int64_t readCount(const std::string& word, std::int64_t upper);
 std::string readChoice(const std::string& word, const Words& allowed);
 std::string readText(const std::string& word);
 Words readTexts(const Words& words);
+/// The points of a file, one a line as X Y Z [m]; empty lines and what follows a # are skipped.
+std::vector<Eigen::Vector3d> readPoints(const std::string& path);
 /// Six numbers X0 X1 Y0 Y1 Z0 Z1 [m] with X0 <= X1 and so on.
 Box readBox(const Words& words);
 }  // namespace cli

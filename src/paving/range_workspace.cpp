@@ -75,6 +75,8 @@ private:
     std::optional<Paving>& paving = pavings_[aspect == Criterion::Aspect::OWN ? 0 : 1];
     paving = paving ? resume(machine_, query, *paving) : pave(machine_, query);
     boxes_ += paving->boxes_here;
+    if (query.budget.time_limit > 0.0)
+      query.budget.time_limit = std::max(1e-9, query_.budget.time_limit - seconds());
     return reachableVolume(machine_, query.criterion, *paving, query.budget);
   }
 

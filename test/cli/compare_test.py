@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm compare: its figures against closed forms and searches, and the paper's figures beside ours."""
 
+import json
 import math
 import unittest
 
-from pkm import ORTHOGLIDE, URANESX, CommandTest
+from pkm import ORTHOGLIDE, URANESX, CommandTest, run
 
 EDGE = 1 / math.sqrt(6) + 1 / (3 * math.sqrt(2))  # of the Orthoglide's largest cube [m]
 
@@ -83,6 +84,13 @@ class Compare(CommandTest):
         answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--accuracy", 1e-6, "--max-boxes", 200)["machines"][0]
         self.assertEncloses(answer["figures"]["size"], EDGE)
 
+    def test_rails_and_tcp_links_follow_their_machine(self):
+        rails = ("rail_x", "rail_y", "rail_z")
+        words = ("--urdf", ORTHOGLIDE, "--rails", *rails, "--urdf", URANESX, "--tcp-links", "tcp_1", "tcp_2", "tcp_3")
+        named = self.answer("compare", *words)["machines"]
+        self.assertEqual([machine["geometry_hash"] for machine in named],
+                         [machine["geometry_hash"] for machine in self.compare()])
+
     def test_text_has_a_line_for_each_machine(self):
         text = self.text("compare", "--urdf", ORTHOGLIDE, "--urdf", URANESX)
         for machine in ("orthoglide", "uranesx"):
@@ -93,12 +101,25 @@ class Compare(CommandTest):
 class ComparePaper(CommandTest):
     @classmethod
     def setUpClass(cls):
-        cls.rows = cls().answer("compare", "--paper")["rows"]
+        cls.process = run("compare", "--paper", "--accuracy", 1e-4, "--json", "--progress")
+        cls.rows = json.loads(cls.process.stdout)["rows"]
 
     def holds(self, place, start):
         found = [row["holds"] for row in self.rows if row["place"] == place and row["what"].startswith(start)]
         self.assertTrue(found, (place, start))
         return found
+
+    def test_progress_tells_what_is_computed(self):
+        self.assertEqual(self.process.returncode, 0)
+        self.assertRegex(self.process.stderr, r"(?m)^\d+ s: .*(orthoglide|uranesx)")
+
+    def test_brackets_are_the_numbers_of_the_texts(self):
+        for row in self.rows:
+            if row["bracket"] is not None:
+                lower, upper = [float(word) for word in row["ours"].split(" to ")]
+                self.assertLessEqual(lower, row["bracket"][0])
+                self.assertGreaterEqual(upper, row["bracket"][1])
+                self.assertLess(upper - lower, 1.2 * (row["bracket"][1] - row["bracket"][0]) + 1e-8)
 
     def test_every_table_is_there(self):
         for table, rows in ((1, 4), (2, 10), (3, 6), (4, 6)):

@@ -71,6 +71,35 @@ class Evaluate(CommandTest):
         below = self.evaluate(ORTHOGLIDE, point, "--psi-min", least + 1e-9)
         self.assertRegex(below["message"], "least velocity transmission factor is .*, below")
 
+    def test_force_factors_and_condition_decide(self):
+        """Force factors are the reciprocals of psi; the condition number is the ratio of the outer two."""
+        point = (0.3, 0.3, 0.3)
+        psi = self.evaluate(ORTHOGLIDE, point)["psi"]
+        for option, limit, low, text in (("--force-max", 1 / psi[0], False, "largest force transmission factor"),
+                                         ("--force-min", 1 / psi[2], True, "least force transmission factor"),
+                                         ("--kappa-max", psi[2] / psi[0], False, "condition number of J")):
+            for words in ((), ("--set", "reachable")):
+                kept = self.evaluate(ORTHOGLIDE, point, *words, option, limit * (1 - 1e-9 if low else 1 + 1e-9))
+                self.assertIs(kept["satisfies"], True, option)
+                bound = limit * (1 + 1e-9 if low else 1 - 1e-9)
+                refused = self.evaluate(ORTHOGLIDE, point, *words, option, bound)
+                self.assertIs(refused["satisfies"], False, option)
+                self.assertEqual("dextrous" in refused, not words)
+                self.assertEqual(refused[option[2:].replace("-", "_")], bound)
+                self.assertRegex(refused["message"], text)
+
+    def test_points_of_a_file_answer_as_each_alone(self):
+        points = [(0, 0, 0), (0.3, -0.1, 0.2), (2, 0, 0)]
+        text = "# X Y Z\n\n" + "".join(f"{x} {y}\t{z}  # a point\n" for x, y, z in points)
+        file = self.file("points.txt", text)
+        answer = self.answer("evaluate", "--urdf", ORTHOGLIDE, "--points", file)
+        self.assertEqual(len(answer["points"]), len(points))
+        for point, state in zip(points, answer["points"]):
+            alone = self.evaluate(ORTHOGLIDE, point)
+            self.assertEqual(state, {key: alone[key] for key in state})
+        table = self.text("evaluate", "--urdf", ORTHOGLIDE, "--points", file)
+        self.assertRegex(table, r"(?m)^  2 +0 +0 +- +- +- +no$")
+
     def test_border_is_undecided(self):
         answer = self.evaluate(ORTHOGLIDE, (0, 0, 0), "--psi-min", 1, "--psi-max", 1)
         self.assertIsNone(answer["dextrous"])

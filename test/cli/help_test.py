@@ -11,18 +11,17 @@ from xml.etree import ElementTree
 from pkm import MACHINES, URDF, CommandTest
 
 MACHINE = {"urdf", "rails", "tcp-links"}
-CRITERION = {"psi-min", "psi-max", "joint-limits"}
+CRITERION = {"set", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
 BUDGET = {"time-limit", "max-boxes", "threads", "progress"}
 COMMON = {"json", "help"}
 OPTIONS = {
-    "evaluate": MACHINE | CRITERION | COMMON | {"point"},
+    "evaluate": MACHINE | CRITERION | COMMON | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
     "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
     "path": MACHINE | CRITERION | COMMON | {"file", "segment", "tool-speed", "max-looks"},
-    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"set", "resolution", "box", "max-memory", "save", "resume"},
-    "compare": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON | {"paper", "shape", "proportions", "ratio",
-                                                                         "accuracy"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "max-memory", "save", "resume", "list-boxes"},
+    "compare": MACHINE | CRITERION | BUDGET | COMMON | {"paper", "shape", "proportions", "ratio", "accuracy"},
     "study": MACHINE | CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
     "singularities": MACHINE | (BUDGET - {"progress"}) | COMMON

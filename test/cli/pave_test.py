@@ -141,6 +141,61 @@ class Pave(CommandTest):
         self.assertIs(answer["complete"], False)
         self.assertVolume(answer, DEXTROUS, 1e-3)
 
+    def test_interrupted_run_leaves_a_file_to_go_on_from(self):
+        file = self.folder / "it.paving"
+        process = subprocess.Popen([PKM, "pave", "--urdf", ORTHOGLIDE, "--resolution", "1e-4", "--progress", "--save",
+                                    file], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.assertRegex(process.stderr.readline(), r"^\d+ s: volume inside ")  # it is under way
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["it.paving"])
+        again = self.pave(ORTHOGLIDE, "--resolution", 0.03, "--resume", file)
+        fresh = self.pave(ORTHOGLIDE, "--resolution", 0.03)
+        self.assertLess(again["boxes_here"], fresh["boxes_here"])
+        for answer in (again, fresh):
+            del answer["boxes_here"], answer["seconds"]
+        self.assertEqual(again, fresh)
+
+    def test_listed_boxes(self):
+        """All of them, or fewer and larger ones, none of which claims more; their volumes are those that are told."""
+
+        def volume(boxes):
+            return math.fsum((x1 - x0) * (y1 - y0) * (z1 - z0) for x0, x1, y0, y1, z0, z1 in boxes)
+
+        words = ("--resolution", 0.1, "--list-boxes")
+        all_of_them = self.pave(ORTHOGLIDE, *words, 1000000)
+        listed = all_of_them["listed"]
+        self.assertEqual(len(listed["inside"]), all_of_them["boxes_inside"])
+        self.assertEqual(len(listed["undecided"]), all_of_them["boxes_boundary"])
+        self.assertAlmostEqual(volume(listed["inside"]), all_of_them["volume_lower"], delta=1e-12)
+        few = self.pave(ORTHOGLIDE, *words, 500)["listed"]
+        self.assertLessEqual(len(few["inside"]) + len(few["undecided"]), 500)
+        self.assertGreater(len(few["inside"]), 0)
+        self.assertLess(volume(few["inside"]), volume(listed["inside"]))
+        self.assertGreaterEqual(volume(few["inside"]) + volume(few["undecided"]), all_of_them["volume_upper"] - 1e-12)
+        self.assertNotIn("listed", self.pave(ORTHOGLIDE, "--resolution", 0.1))
+
+    def test_reachable_volume_is_closer_than_its_boxes(self):
+        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--resolution", 0.1)
+        self.assertVolume(answer, REACHABLE)
+        self.assertLess(answer["volume_upper"] - answer["volume_lower"], 0.02 * REACHABLE)
+        plane = self.pave(URANESX, "--set", "reachable", "--resolution", 0.05)
+        finer = self.pave(URANESX, "--set", "reachable", "--resolution", 0.01)
+        self.assertLessEqual(plane["area_lower"], finer["area_upper"])
+        self.assertGreaterEqual(plane["area_upper"], finer["area_lower"])
+
+    def test_criteria_without_velocity_factors(self):
+        """[1/f, f] is the same for velocity and for force factors; it bounds the condition number by f^2."""
+        velocity = self.pave(ORTHOGLIDE, "--resolution", 0.05)
+        force = self.pave(ORTHOGLIDE, "--resolution", 0.05, "--set", "reachable", "--force-min", 0.5, "--force-max", 2)
+        self.assertVolume(force["own_aspect"], DEXTROUS, 1e-3)
+        self.assertEqual((force["force_min"], force["force_max"], force["set"]), (0.5, 2, "reachable"))
+        condition = self.pave(ORTHOGLIDE, "--resolution", 0.05, "--set", "reachable", "--kappa-max", 4)
+        self.assertGreaterEqual(condition["own_aspect"]["volume_upper"], velocity["own_aspect"]["volume_lower"])
+        both = self.pave(ORTHOGLIDE, "--resolution", 0.05, "--kappa-max", 1.5)
+        self.assertLess(both["volume_upper"], velocity["volume_lower"])
+
     def test_text_never_claims_more_than_the_numbers(self):
         for resolution in (0.2, 0.1, 0.06):
             words = ("pave", "--urdf", ORTHOGLIDE, "--resolution", resolution)
