@@ -4,6 +4,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
+#include "pkm_workspace/dexterity/region_check.h"
 #include "pkm_workspace/region/containment.h"
 #include "progress.h"
 #include "violations.h"
@@ -14,6 +15,19 @@ namespace cli
 {
 namespace
 {
+const char* nameOf(Share share)
+{
+  constexpr const char* NAMES[] = { "all", "none", "some", "undecided" };  // as Share
+  return NAMES[static_cast<std::size_t>(share)];
+}
+
+std::string sentence(Share share)
+{
+  return share == Share::SOME        ? "some are proved to, and some not to,"
+         : share == Share::UNDECIDED ? "it is undecided how many"
+                                     : std::string(nameOf(share)) + " are proved to";
+}
+
 class Check : public Command
 {
 public:
@@ -32,12 +46,19 @@ public:
   {
     machine_.declare(options);
     options.vector("center", center_, "X Y Z", LENGTH, "center of the box, in the frame of the root link");
+    options.box("centers", centers_,
+                "in place of --center, centers that the box may have: tells whether all, none or some carry it");
     options.vector("sides", sides_, "A B C", LENGTH_NOT_NEGATIVE,
                    "full sides of the box along x, y and z; 0 for no thickness, at least one above 0");
-    options.require({ "center", "sides" });
+    options.require({ "sides" });
     criterion_options_.declare(options, criterion_);
     options.count("max-boxes", max_boxes_, MOST_BOXES, "boxes looked at before it ends undecided");
+    options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     options.check({ "sides" }, [this](Problems& problems) { setShape(problems); });
+    options.check({ "center", "centers" }, [this](Problems& problems) {
+      if (center_.has_value() == centers_.has_value())
+        problems.push_back("give either --center or --centers");
+    });
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -45,7 +66,9 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    const BoxTest test(machine, criterion_);
+    const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
+    if (centers_)
+      return answerForAll(test);
     const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, max_boxes_, stopOnSignal());
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
@@ -58,6 +81,22 @@ public:
   }
 
 private:
+  /// The paper's G(B, w).
+  Answer answerForAll(const BoxTest& test) const
+  {
+    BisectionLimits limits;
+    limits.center_width *= machine_.machine().scale();
+    limits.part_width *= machine_.machine().scale();
+    const Share share = checkCenters(test, *centers_, *sides_, limits);
+    Json json = contextOf(machine_.machine(), criterion_);
+    json["share"] = nameOf(share);
+    json["centers"] = toJson(*centers_);
+    json["sides"] = toJson(*sides_);
+    const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
+                             ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + ".";
+    return { json, wrapped(text) + wrapped(definition(criterion_)) };
+  }
+
   void setShape(Problems& problems)
   {
     if (sides_->isZero(0.0))
@@ -101,6 +140,8 @@ private:
   CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> center_;
   std::optional<Eigen::Vector3d> sides_;
+  std::optional<Box> centers_;
+  bool multi_precision_ = false;
   ShapePtr shape_;
   std::int64_t max_boxes_ = 1000000;
 };

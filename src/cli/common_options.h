@@ -78,6 +78,8 @@ private:
   std::string set_ = "dextrous";
 };
 
+constexpr const char* MULTI_PRECISION_HELP = "goes on in 50 digits where doubles leave something undecided";
+
 constexpr std::int64_t MOST_BOXES = 1000000000000;
 
 /// --time-limit, --max-boxes, --threads.

@@ -73,6 +73,7 @@ public:
                    "largest difference between the proved size and its upper bound (of a box: in factors)");
     options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
     options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
+    options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     declareBudget(options, query_.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
     options.check({ "search-box", "center" }, [this](Problems& problems) {
@@ -87,6 +88,7 @@ public:
   {
     const Machine& machine = machine_.machine();
     Progress progress(progress_);
+    query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     query_.progress = [&progress](const RegionProgress& state) {
       progress.tell(state.seconds, "size " + bracket(state.size, state.size_upper_bound) + ", " +
@@ -148,6 +150,7 @@ private:
   MachineOptions machine_;
   RegionQuery query_;
   bool progress_ = false;
+  bool multi_precision_ = false;
   CriterionOptions criterion_options_;
   ShapeOptions shape_;
   std::optional<Eigen::Vector3d> center_;

@@ -55,6 +55,11 @@ SineCosine::SineCosine(const Interval& angle)
   const double quarters = std::round(angle.mid() / HALF_PI);  // in every rounding mode
   const Interval y = (angle - Interval(quarters) * Interval(HALF_PI)) - Interval(quarters) * HALF_PI_REST;
   const double middle = y.mid();
+  if (!(std::abs(middle) <= 0.8))  // so many turns that doubles do not tell the rest
+  {
+    sine = cosine = { 0.0, 1.0 };
+    return;
+  }
   const double error = affine::widened(y.radius() + SERIES_REST, 1.0, 4);
   const int quadrant = static_cast<int>(quarters - 4.0 * std::floor(quarters / 4.0));
   const double s = sineSeries(middle);
@@ -80,7 +85,12 @@ Curve::Curve(const IntervalVector& origin, const IntervalVector& drift, const In
   , length_(sqrt(squaredNorm(drift) + sqr(angle) * squaredNorm(u)))
 {
   if (!length_.certainlyPositive())
+  {
+    if (length_.upper() > 0.0)  // any direction
+      drift_direction_ =
+          EnclosedVector<double>(IntervalVector{ Interval(-1.0, 1.0), Interval(-1.0, 1.0), Interval(-1.0, 1.0) });
     return;
+  }
   const Interval inverse = Interval(1.0) / length_;
   drift_direction_ = EnclosedVector<double>(inverse * drift);
   turning_ = Number(angle * inverse);

@@ -51,8 +51,8 @@ Interval mixed(const Interval& w, const Interval& xi, const Interval& xj, const 
 {
   return intersection(Interval(2.0) * (xi * xj - w * xk) / n, Interval(-1.0, 1.0));
 }
+}  // namespace
 
-/// Rails are parallel where their axes are the same numbers: makes those of others differ where rounding hides it.
 void keepApart(const Machine& machine, Machine::Legs& legs)
 {
   for (std::size_t i = 1; i < 3; ++i)
@@ -67,7 +67,6 @@ void keepApart(const Machine& machine, Machine::Legs& legs)
     }
   }
 }
-}  // namespace
 
 IntervalMatrix rotationOf(const Pose& pose)
 {

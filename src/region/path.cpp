@@ -85,7 +85,8 @@ IntervalVector unit(const IntervalVector& v)
 Circle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d& axis, Checks& checks)
 {
   Circle circle;
-  circle.axis = unit(enclose(Vector3d(axis / axis.cwiseAbs().maxCoeff())));
+  const double scale = std::ldexp(1.0, -std::ilogb(axis.cwiseAbs().maxCoeff()));  // a power of two rounds nothing
+  circle.axis = unit(enclose(Vector3d(axis * scale)));
   const IntervalVector offset = enclose(start) - enclose(center);
   const Interval along = dot(offset, circle.axis);
   circle.center = enclose(center) + along * circle.axis;

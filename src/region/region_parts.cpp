@@ -42,6 +42,15 @@ Interval overhang(const Shape& shape, const Box& bounds, double size)
   }
   return sum;
 }
+/// Of a polytope that is a box; of a flat one, the area.
+Interval measureOf(const Shape& shape, double size)
+{
+  Interval measure(1.0);
+  for (int axis = 0; axis < 3; ++axis)
+    if (shape.halfExtents()[axis] > 0.0)
+      measure *= Interval(2.0 * shape.halfExtents()[axis]) * Interval(size);
+  return measure;
+}
 }  // namespace
 
 SingularityQuery singularitiesOver(const ShapePtr& shape, const Vector3d& center, double size)
@@ -70,6 +79,8 @@ GlobalConditioning globalConditioning(const Machine& machine, const Shape& shape
   const double error = (Interval(2.0) * overhang(shape, bounds, size)).upper();
   const Interval wider = result.index + Interval(-error, error);
   result.index = { std::max(0.0, wider.lower()), std::min(1.0, wider.upper()) };
+  result.measure = measureOf(shape, size);
+  result.complete = result.index.width() <= query.accuracy;
   return result;
 }
 }  // namespace pkm_workspace

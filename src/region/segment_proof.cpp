@@ -15,16 +15,19 @@ constexpr double LEAST_PIECE = 0x1p-50;
 /// would be decided at any width.
 constexpr double LEAST_PIECE_BEHIND = 0x1p-12;
 
+constexpr double INF = std::numeric_limits<double>::infinity();
+
+/// What is no number bounds nothing.
 void widen(const Span<double>& span, Span<double>& sum)
 {
-  sum.lower = std::min(sum.lower, span.lower);
-  sum.upper = std::max(sum.upper, span.upper);
+  const bool is_bound = span.lower <= span.upper;
+  sum.lower = is_bound ? std::min(sum.lower, span.lower) : -INF;
+  sum.upper = is_bound ? std::max(sum.upper, span.upper) : INF;
 }
 }  // namespace
 
 PieceMotion noMotion()
 {
-  constexpr double INF = std::numeric_limits<double>::infinity();
   PieceMotion motion;
   motion.psi.fill({ INF, -INF });
   motion.joint.fill({ INF, -INF });
@@ -38,7 +41,7 @@ void merge(const PieceMotion& motion, PieceMotion& sum)
   {
     widen(motion.psi[i], sum.psi[i]);
     widen(motion.joint[i], sum.joint[i]);
-    sum.speed[i] = std::max(sum.speed[i], motion.speed[i]);
+    sum.speed[i] = motion.speed[i] >= 0.0 ? std::max(sum.speed[i], motion.speed[i]) : INF;
   }
 }
 

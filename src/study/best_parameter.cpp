@@ -47,6 +47,7 @@ public:
   {
     climb();
     open_.push({ query_.range, INF });
+    in_hand_ = 0.0;
     while (!open_.empty() && open_.top().bound > target() && !isOver())
     {
       const Part part = open_.top();
@@ -179,24 +180,39 @@ private:
     const double size = best_.region.size;
     const std::int64_t times = isNarrow(part.parameters) ? LAST_LOOK : 1 + part.divisions;
     const Effort effort{ LOOK * times, COMMON_VERIFICATION * times };
-    const double bound = std::min(part.bound, search(*machine, middle, size - below, effort));
-    if (bound <= size)
-      return bound;
-    return std::min(bound, search(*machine, middle, 0.5 * (size + bound) - below, effort));
+    double bound = part.bound;
+    try
+    {
+      bound = std::min(bound, search(*machine, middle, size - below, effort));
+      if (bound > size)
+        bound = std::min(bound, search(*machine, middle, 0.5 * (size + bound) - below, effort));
+    }
+    catch (const std::invalid_argument&)
+    {
+      // together they have no bounds; parts of them may
+    }
+    catch (const std::domain_error&)
+    {
+      // nor axes across a plane
+    }
+    return bound;
   }
 
   void settle(const Part& part)
   {
+    in_hand_ = part.bound;
     const double bound = boundOf(part);
     if (bound <= target() || isNarrow(part.parameters))
     {
       closed_.push_back({ part.parameters, bound });
+      in_hand_ = 0.0;
       return;
     }
     const double middle = part.parameters.mid();
     lookAtMachine(middle, part.divisions);
     open_.push({ { part.parameters.lower(), middle }, bound, part.divisions + 1 });
     open_.push({ { middle, part.parameters.upper() }, bound, part.divisions + 1 });
+    in_hand_ = 0.0;
   }
 
   double upperBound() const
@@ -204,7 +220,7 @@ private:
     double bound = open_.empty() ? 0.0 : open_.top().bound;
     for (const Part& part : closed_)
       bound = std::max(bound, part.bound);
-    return std::max(bound, best_.region.size);
+    return std::max({ bound, in_hand_, best_.region.size });
   }
 
   void tellProgress()
@@ -250,6 +266,7 @@ private:
   const StudyQuery& query_;
   std::priority_queue<Part> open_;
   std::vector<Part> closed_;
+  double in_hand_ = INF;  ///< bound of the parameters that are in work
   std::vector<Eigen::Vector3d> suspects_;
   BestParameter best_;
   std::chrono::steady_clock::time_point begin_;

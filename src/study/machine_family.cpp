@@ -2,9 +2,11 @@
 #include "pkm_workspace/study/machine_family.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/machine/frame.h"
 
 namespace pkm_workspace
 {
@@ -82,8 +84,14 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
             Machine::Legs legs;
             for (int i = 0; i < 3; ++i)
               legs[static_cast<std::size_t>(i)] = between(first.leg(i), last.leg(i), t);
+            keepApart(first, legs);
+            keepApart(last, legs);
             const Eigen::Vector3d zero = first.zero() + t.mid() * (last.zero() - first.zero());
-            return Machine(first.name() + " to " + last.name(), legs, zero);
+            Machine machine(first.name() + " to " + last.name(), legs, zero);
+            if (machine.aspect() != first.aspect())
+              throw std::invalid_argument("the machine at share " + std::to_string(t.mid()) +
+                                          " has the opposite aspect (sign of det A) of those at both ends");
+            return machine;
           } };
 }
 }  // namespace pkm_workspace

@@ -68,6 +68,24 @@ class Check(CommandTest):
         self.assertIn("({}, {}, {}) m".format(*self.answer(*words)["bad_point"]), text)
         self.assertRegex(text, "velocity\\s+transmission\\s+factor\\s+is\\s+[0-9.]+,\\s+(above\\s+2|below\\s+0.5)")
 
+    def test_shares_of_the_centers(self):
+        for edge, around, share in ((0.64, 1e-4, "all"), (0.5, 0.3, "some")):
+            box = [value for center in CENTER for value in (center - around, center + around)]
+            answer = self.answer("check", "--urdf", ORTHOGLIDE, "--centers", *box, "--sides", edge, edge, edge)
+            self.assertEqual(answer["share"], share)
+        far = self.answer("check", "--urdf", ORTHOGLIDE, "--centers", 2, 3, 2, 3, 2, 3, "--sides", 0.1, 0.1, 0.1)
+        self.assertEqual(far["share"], "none")
+        self.assertIn("none are proved to", self.text("check", "--urdf", ORTHOGLIDE, "--centers", 2, 3, 2, 3, 2, 3,
+                                                      "--sides", 0.1, 0.1, 0.1))
+
+    def test_multi_precision_settles_what_doubles_leave_open(self):
+        words = ("--multi-precision",)
+        self.assertEqual(self.check(ORTHOGLIDE, CENTER, [0.6439] * 3, *words)["verdict"], "inside")
+        answer = self.answer("largest", "--urdf", ORTHOGLIDE, "--accuracy", 1e-12, *words)
+        self.assertEqual(answer["status"], "proven")
+        self.assertBrackets(answer["size"], CUBE, answer["size_upper_bound"], 1e-15)
+        self.assertEqual(self.answer("largest", "--urdf", ORTHOGLIDE, "--accuracy", 1e-12)["status"], "stopped")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -17,8 +17,8 @@ COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
-    | {"shape", "proportions", "ratio", "accuracy", "search-box", "center"},
-    "check": MACHINE | CRITERION | COMMON | {"center", "sides", "max-boxes"},
+    | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
+    "check": MACHINE | CRITERION | COMMON | {"center", "centers", "sides", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "max-memory", "save", "resume", "list-boxes"},
     "compare": MACHINE | CRITERION | BUDGET | COMMON | {"paper", "shape", "proportions", "ratio", "accuracy"},

@@ -159,6 +159,23 @@ TEST(Curve, aPointHasNoTangent)
   }
   EXPECT_EQ(piece.points.center[1], 0.2);
 }
+
+TEST(Curve, aLengthThatUnderflowsLeavesEveryDirection)
+{
+  const CurvePiece piece = Curve::line({ 0.0, 0.0, 0.0 }, { 1e-170, 0.0, 0.0 }).piece(0.0, 1.0);
+  EXPECT_GE(piece.tangents.slack + std::abs(piece.tangents.center[0]), 1.0);
+}
+
+TEST(Curve, anglesBeyondAllTurnsHaveEverySine)
+{
+  for (const double angle : { 1e18, -1e30, 1e300 })
+  {
+    const SineCosine of(Interval{ angle });
+    EXPECT_LE(of.sine.value - of.sine.radius, std::sin(angle));
+    EXPECT_GE(of.sine.value + of.sine.radius, std::sin(angle));
+    EXPECT_LE(of.cosine.radius, 1.0);
+  }
+}
 }  // namespace
 }  // namespace test
 }  // namespace pkm_workspace

@@ -55,4 +55,20 @@ TEST(RegionConditioning, refusesAnEmptyRegion)
   const auto compute = [] { globalConditioning(orthoglide(), *makeCube(), Eigen::Vector3d::Zero(), 0.0, {}); };
   test::expectThrow<std::invalid_argument>(compute, "size = 0 m must be positive");
 }
+
+TEST(RegionConditioning, measureIsThatOfTheRegionNotOfItsBoundingBox)
+{
+  test::RandomBoxes random(SEED);
+  ConditioningQuery query;
+  query.accuracy = 1.0;
+  for (int k = 0; k < 50; ++k)
+  {
+    const double size = random.between(1e-6, 1e-3);
+    const Eigen::Vector3d center(random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1));
+    const Interval volume = makeCube()->volume(size);
+    const GlobalConditioning cube = globalConditioning(orthoglide(), *makeCube(), center, size, query);
+    EXPECT_LE(cube.measure.lower(), volume.lower()) << "case " << k << ", seed " << SEED;
+    EXPECT_GE(cube.measure.upper(), volume.upper()) << "case " << k << ", seed " << SEED;
+  }
+}
 }  // namespace pkm_workspace

@@ -154,4 +154,17 @@ TEST(BestParameter, allThatIsWrongIsTold)
                                            R"(R - r = \[1, 1\] m must lie)");
   test::expectThrow<std::invalid_argument>([&] { bestOfParts(squares(0.4, 0.5, 1e-3), 0); }, "1 part or more");
 }
+
+TEST(BestParameter, progressIsABracketOfTheAnswerAllTheWay)
+{
+  StudyQuery query = squares(0.3, 0.5, 1e-3);
+  std::vector<StudyProgress> told;
+  query.progress = [&told](const StudyProgress& progress) { told.push_back(progress); };
+  const BestParameter best = findBestParameter(query);
+  for (const StudyProgress& progress : told)
+  {
+    EXPECT_LE(progress.size, best.region.size);
+    EXPECT_GE(progress.size_upper_bound, best.region.size);
+  }
+}
 }  // namespace pkm_workspace

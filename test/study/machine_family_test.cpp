@@ -63,4 +63,23 @@ TEST(MachineFamily, whatHasNoWayBetweenIsRefused)
   EXPECT_FALSE(familyBetween(orthoglide(), limited).at(Interval(0.0, 1.0)).hasJointLimits());
   EXPECT_TRUE(familyBetween(limited, limited, true).at(Interval(0.0, 1.0)).hasJointLimits());
 }
+
+// Equal enclosures of different axes are not those of parallel rails.
+TEST(MachineFamily, railsThatOnlyLookParallelTogetherAreKeptApart)
+{
+  const auto tilted = [](double x0, double x1) {
+    Machine::Legs legs = uranesx(Interval(0.8), Interval(0.0)).legs();
+    const double tilts[] = { x0, x1, x1 };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double z = std::sqrt(1.0 - tilts[i] * tilts[i]);
+      legs[i].axis = { Interval(tilts[i]), Interval(0.0), Interval(z, std::nextafter(z, 2.0)) };
+    }
+    return Machine("tilted", legs, uranesx().zero());
+  };
+  const double tilt = 0x1p-7;
+  const MachineFamily family = familyBetween(tilted(tilt, -tilt), tilted(-tilt, tilt));
+  EXPECT_FALSE(family.at(Interval(0.0)).hasParallelRails());
+  EXPECT_FALSE(family.at(Interval(0.0, 1.0)).hasParallelRails());
+}
 }  // namespace pkm_workspace
