@@ -16,6 +16,8 @@ Lengths are metres. Every call raises Refused where the node refuses, with its e
 rospy.ServiceException or rospy.ROSException where there is no node.
 """
 
+import threading
+
 import actionlib
 import rospy
 from geometry_msgs.msg import Point
@@ -34,6 +36,39 @@ class Refused(Exception):
     def __init__(self, error_code, message):
         super().__init__(message)
         self.error_code = error_code
+
+
+class Goal:
+    """A goal that was sent. Unlike actionlib's SimpleActionClient it misses no goal that ends at once."""
+
+    def __init__(self, client, goal, feedback, active):
+        self.ended = threading.Event()
+        self.active = active
+        tell = (lambda _, message: feedback(message)) if feedback else None
+        self.handle = client.send_goal(goal, self.change, tell)
+
+    def change(self, handle):
+        """What actionlib calls at each change of state."""
+        if handle.get_comm_state() == actionlib.CommState.ACTIVE and self.active:
+            self.active()
+        if handle.get_comm_state() == actionlib.CommState.DONE:
+            self.ended.set()
+
+    def cancel_goal(self):
+        """Asks the node to end it with the best proven so far."""
+        self.handle.cancel()
+
+    def wait_for_result(self, seconds):
+        """Returns whether it has ended in time."""
+        return self.ended.wait(seconds)
+
+    def get_state(self):
+        """A constant of actionlib_msgs/GoalStatus."""
+        return self.handle.get_goal_status()
+
+    def get_result(self):
+        """What it has ended with."""
+        return self.handle.get_result()
 
 
 class Client:
@@ -63,7 +98,7 @@ class Client:
         return self.call("compute_workspace", ComputeWorkspace, PavingRequest(**fields)).workspace
 
     def find_region(self, feedback=None, active=None, **fields):
-        """Begins to look for the largest region. Returns the client of the action: cancel_goal(), get_result().
+        """Begins to look for the largest region. Returns the Goal.
 
         active is called when the computation begins. Cancel no sooner than that: actionlib's Python client may lose a goal
         that it cancels before the node has heard of it.
@@ -72,7 +107,7 @@ class Client:
                          FindLargestRegionGoal(RegionRequest(**fields)), feedback, active)
 
     def approximate_workspace(self, feedback=None, active=None, **fields):
-        """Begins to pave, as above. Returns the client of the action."""
+        """Begins to pave, as above."""
         return self.send("approximate_workspace", ApproximateWorkspaceAction,
                          ApproximateWorkspaceGoal(PavingRequest(**fields)), feedback, active)
 
@@ -119,11 +154,10 @@ class Client:
         return response
 
     def send(self, name, kind, goal, feedback, active):
-        """Sends a goal. There is one client for each action: an earlier goal of it is not followed any more."""
+        """Sends a goal; connects to each action once."""
         if name not in self.actions:
-            self.actions[name] = actionlib.SimpleActionClient(f"{self.node}/{name}", kind)
+            self.actions[name] = actionlib.ActionClient(f"{self.node}/{name}", kind)
         client = self.actions[name]
         if not client.wait_for_server(rospy.Duration(self.timeout)):
             raise rospy.ROSException(f"{self.node}/{name} is not offered")
-        client.send_goal(goal, feedback_cb=feedback, active_cb=active)
-        return client
+        return Goal(client, goal, feedback, active)

@@ -78,7 +78,7 @@ def sets_and_cancels_goals(machine, chance):
         pass
     if chance.random() < 0.7:
         goal.cancel_goal()
-    if not goal.wait_for_result(rospy.Duration(PATIENCE)):
+    if not goal.wait_for_result(PATIENCE):
         return False
     if goal.get_state() == GoalStatus.RECALLED:
         return True
