@@ -57,7 +57,7 @@ void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, cons
 
 void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
 {
-  const auto sliderPoint = [&leg](double value) { return mid(leg.origin) + value * mid(leg.axis); };
+  const auto sliderPoint = [&leg](double value) -> Eigen::Vector3d { return mid(leg.origin) + value * mid(leg.axis); };
   const double lower = std::max(leg.limits.lower(), rho - reach);
   const double upper = std::min(leg.limits.upper(), rho + reach);
   Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);

@@ -176,6 +176,13 @@ TEST_F(Mechanism, followsTheHandleAndShowsItsMargin)
   EXPECT_GT(named(shown, "ellipsoid").color.g, named(shown, "ellipsoid").color.r) << "not green near the middle";
   EXPECT_GT(named(shown, "ellipsoid").scale.x, 0.0);
   EXPECT_EQ("", textOf(shown, "reason"));
+  const auto rho = inverseKinematics(orthoglidePrototype(), NEAR_ZERO);
+  const auto slider = std::find_if(shown.begin(), shown.end(), [](const Marker& marker) {
+    return marker.ns == "travel" && marker.type == Marker::SPHERE;
+  });
+  ASSERT_NE(shown.end(), slider);
+  EXPECT_NEAR((*rho)[0] - 0.31058, slider->pose.position.x, 1e-9);
+  EXPECT_NEAR(0.0, slider->pose.position.y, 1e-9);
   EXPECT_EQ(6, std::count_if(shown.begin(), shown.end(), [](const Marker& marker) { return marker.ns == "travel"; }));
 }
 
