@@ -3,6 +3,7 @@
 
 // What the machine does over pieces of paths, side by side. For packs only, see box_kernel_impl.h.
 
+#include "pack_gather.h"
 #include "pkm_workspace/dexterity/machine_forms.h"
 #include "pkm_workspace/dexterity/path_piece.h"
 #include "pkm_workspace/interval/pencil_bounds.h"
