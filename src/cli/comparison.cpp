@@ -2,11 +2,9 @@
 #include "comparison.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/region/region_parts.h"
 
 namespace pkm_workspace
 {
@@ -14,109 +12,13 @@ namespace cli
 {
 namespace
 {
-/// Computations that share the time limit: the region, the volumes, the singularities of two sets.
-constexpr double PARTS = 4.0;
-
 /// "(x, y, z) m" to a few digits: a place, not a proof.
 std::string nearlyAt(const Eigen::Vector3d& p)
 {
   return "(" + nearly(p.x(), 4) + ", " + nearly(p.y(), 4) + ", " + nearly(p.z(), 4) + ") m";
 }
 
-Interval power(const Interval& x, int exponent)
-{
-  Interval product(1.0);
-  for (int k = 0; k < exponent; ++k)
-    product *= x;
-  return product;
-}
-
-void addSingularities(const Singularities& found, const std::string& key, const std::string& where,
-                      std::vector<Figure>& figures)
-{
-  figures.push_back({ key + "_least_eta", "least |eta| [m] " + where, 1, least(found.serial).least });
-  figures.push_back({ key + "_least_det_a", "least |det A| [m^3] " + where, 3, found.parallel.least });
-}
 }  // namespace
-
-Interval Comparison::largest(Interval JointRange::*part) const
-{
-  Interval most = region.joint_ranges[0].*part;
-  for (const JointRange& range : region.joint_ranges)
-    most = { std::max(most.lower(), (range.*part).lower()), std::max(most.upper(), (range.*part).upper()) };
-  return most;
-}
-
-Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell)
-{
-  Comparison study{ machine, query, {} };
-  study.query.budget.time_limit /= PARTS;
-  study.query.progress = [&](const RegionProgress& state) {
-    tell(machine.name() + ", largest region: size " + bracket(state.size, state.size_upper_bound));
-  };
-  const Budget& budget = study.query.budget;
-  study.region = findLargestRegion(machine, study.query);
-  study.query.progress = nullptr;
-  if (!(study.region.size > 0.0))
-    return study;
-  for (std::size_t i = 0; i < 3; ++i)
-    study.ranges[i] = hull(study.region.joint_ranges[i].lower, study.region.joint_ranges[i].upper);
-  study.ranges = equalisedRanges(study.ranges);
-  tell(machine.name() + ", volume for the strokes");
-  study.workspace = workspaceOfRanges(machine, { study.ranges, volume_accuracy, budget });
-  const auto singularities = [&budget](const Machine& in, SingularityQuery of) {
-    const std::int64_t most = of.budget.max_boxes;
-    of.budget = budget;
-    of.budget.max_boxes = budget.max_boxes > 0 ? std::min(most, budget.max_boxes) : most;
-    return findSingularities(in, of);
-  };
-  tell(machine.name() + ", singularities");
-  study.in_region =
-      singularities(machine, singularitiesOver(study.region.shape, study.region.center, study.region.size));
-  SingularityQuery in_ranges;
-  in_ranges.joint_limits = true;
-  study.in_ranges = singularities(withJointLimits(machine, study.ranges), in_ranges);
-  return study;
-}
-
-Interval Figure::scaled(double size) const
-{
-  if (value.isEmpty() || power == 0)
-    return value;
-  const Interval unit = cli::power(Interval(size), power);
-  const Interval lower = Interval(value.lower()) / unit;
-  return value.isBounded() ? value / unit : Interval(lower.lower(), value.upper());
-}
-
-std::vector<Figure> figuresOf(const Comparison& study)
-{
-  const LargestRegion& region = study.region;
-  if (!(region.size > 0.0))
-    return {};
-  const Shape& shape = *region.shape;
-  Interval strut = study.machine.leg(0).length;
-  for (const Leg& leg : study.machine.legs())
-    strut = { std::max(strut.lower(), leg.length.lower()), std::max(strut.upper(), leg.length.upper()) };
-  std::vector<Figure> figures = {
-    { "size", shape.name() + ": " + shape.sizeMeaning(), 1, { region.size, region.size_upper_bound } },
-    { "strut", "longest strut [m]", 1, strut },
-    { "stroke", "largest stroke, Delta rho [m]", 1, study.largest(&JointRange::stroke) },
-    { "across", "its part Delta f [m]", 1, study.largest(&JointRange::across) },
-    { "workspace_volume", "volume for these strokes [m^3]", 3, study.workspace.own_aspect },
-    { "other_aspect_volume", "  more in the other aspect [m^3]", 3, study.workspace.other_aspect },
-  };
-  if (isSolid(shape))
-  {
-    const Interval volume = shape.volume(region.size);
-    const Interval& all = study.workspace.own_aspect;
-    figures.push_back({ "region_volume", "volume of the region [m^3]", 3, volume });
-    figures.push_back({ "volume_ratio", "  its share of the volume", 0,
-                        all.lower() > 0.0 ? intersection(volume / all, { 0.0, 1.0 }) : Interval(0.0, 1.0) });
-  }
-  addSingularities(study.in_region, "region", "in the region", figures);
-  addSingularities(study.in_ranges, "ranges", "in these strokes", figures);
-  return figures;
-}
 
 std::string verdictOn(const SingularityAnswer& answer)
 {
@@ -130,26 +32,6 @@ std::string verdictOn(const SingularityAnswer& answer)
       return "undecided";
   }
   throw std::logic_error("a status without a name");
-}
-
-SingularityAnswer least(const std::array<SingularityAnswer, 3>& serial)
-{
-  using Status = SingularityAnswer::Status;
-  SingularityAnswer all = serial[0];
-  for (const SingularityAnswer& leg : { serial[1], serial[2] })
-  {
-    all.boxes += leg.boxes;
-    if (!leg.least.isEmpty())
-      all.least = all.least.isEmpty() ? leg.least
-                                      : Interval(std::min(all.least.lower(), leg.least.lower()),
-                                                 std::min(all.least.upper(), leg.least.upper()));
-    if (leg.status == Status::PROVED || all.status == Status::NONE)
-    {
-      all.status = leg.status;
-      all.box = leg.box;
-    }
-  }
-  return all;
 }
 
 Json toJson(const SingularityAnswer& answer)

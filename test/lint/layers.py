@@ -23,7 +23,7 @@ LAYERS = {
     "dexterity": BELOW_DEXTERITY,
     "region": BELOW_DEXTERITY | {"dexterity"},
     "paving": BELOW_DEXTERITY | {"dexterity"},
-    "study": BELOW_DEXTERITY | {"dexterity", "region"},
+    "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
     "cli": CORE,
     "ros": CORE,

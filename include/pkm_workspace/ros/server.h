@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "pkm_workspace/ros/comparison_service.h"
 #include "pkm_workspace/ros/conditioning_service.h"
 #include "pkm_workspace/ros/criterion_service.h"
 #include "pkm_workspace/ros/diagnostics.h"
@@ -39,6 +40,7 @@ private:
   PavingService pavings_;
   SingularityService singularities_;
   ConditioningService conditioning_;
+  ComparisonService comparisons_;
   PlannerService planning_;
   CriterionService criterion_;
   Diagnostics diagnostics_;

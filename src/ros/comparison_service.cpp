@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/ros/comparison_service.h"
+
+#include <ros/console.h>
+
+#include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/solid_message.h"
+#include "pkm_workspace/study/comparison.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Of volumes, relative.
+constexpr double VOLUME_ACCURACY = 5e-3;
+constexpr std::size_t MOST_MACHINES = 16;
+
+/// The others, each in the frame of its own root link.
+std::vector<FramedMachine> readMachines(const std::vector<std::string>& urdfs)
+{
+  Problems problems;
+  std::vector<FramedMachine> machines;
+  if (urdfs.empty() || urdfs.size() > MOST_MACHINES)
+    problems.push_back("urdfs must be from 1 to " + std::to_string(MOST_MACHINES) + ", they are " +
+                       std::to_string(urdfs.size()));
+  for (std::size_t k = 0; problems.empty() && k < urdfs.size(); ++k)
+    try
+    {
+      const UrdfMachine urdf = readUrdf(urdfs[k]);
+      FramedMachine in;
+      in.frame = urdf.root_link;
+      in.machine = std::make_shared<const Machine>(urdf.machine);
+      in.geometry_hash = urdf.machine.geometryHash();
+      in.root.orientation.w = 1.0;
+      machines.push_back(in);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back("urdfs[" + std::to_string(k) + "]: " + reason.what());
+    }
+  throwProblems(problems);
+  return machines;
+}
+
+MachineComparison messageOf(const FramedMachine& in, const Comparison& study)
+{
+  MachineComparison message;
+  message.region = toMessage(Answer{ { study.query, in }, study.region }, ros::Time::now());
+  message.complete = study.workspace.complete;
+  for (const Figure& figure : figuresOf(study))
+  {
+    ComparedFigure compared;
+    compared.name = figure.key;
+    compared.label = figure.label;
+    compared.power = static_cast<std::uint8_t>(figure.power);
+    compared.value = toMessage(figure.value);
+    compared.scaled = toMessage(figure.scaled(study.region.size));
+    message.figures.push_back(compared);
+  }
+  return message;
+}
+}  // namespace
+
+ComparisonService::ComparisonService(NodeContext& context)
+  : context_(context)
+  , service_(offer<CompareMachines>(context.computing, context.health, "compare_machines",
+                                    [this](const CompareMachines::Request& request,
+                                           CompareMachines::Response& response) { compare(request, response); }))
+{}
+
+void ComparisonService::compare(const CompareMachines::Request& request, CompareMachines::Response& response)
+{
+  if (!request.query.header.frame_id.empty())
+    throw std::invalid_argument("header.frame_id = '" + request.query.header.frame_id +
+                                "' must be empty: each machine is looked at in the frame of its own root link");
+  RegionQuery query = fromMessage(request.query, context_.query(), context_.parameters.query.budget.time_limit);
+  std::vector<FramedMachine> machines = readMachines(request.urdfs);
+  machines.insert(machines.begin(), context_.frames.root());
+  const StopFlag stop = context_.worker.makeStopFlag();
+  query.budget.stop = stop.get();
+  for (const FramedMachine& in : machines)
+  {
+    const Comparison study = comparisonOf(*in.machine, query, VOLUME_ACCURACY, [](const std::string& doing) {
+      ROS_DEBUG_STREAM_NAMED("server", "comparing: " << doing);
+    });
+    response.machines.push_back(messageOf(in, study));
+  }
+  response.message = std::to_string(machines.size()) + " machines compared";
+  ROS_INFO_STREAM_NAMED("server", response.message);
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/CompareMachines.h>
+
+#include "node_client.h"
+#include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/urdf_io/urdf_writer.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+const ComparedFigure& figure(const MachineComparison& machine, const std::string& name)
+{
+  for (const ComparedFigure& candidate : machine.figures)
+    if (candidate.name == name)
+      return candidate;
+  throw std::runtime_error("no figure " + name);
+}
+}  // namespace
+
+// values.md: the Orthoglide's workspace for the strokes of its cube, and the cube of the prototype.
+TEST(CompareMachines, tellsTheNodesMachineBesideAnother)
+{
+  CompareMachines::Request request;
+  request.urdfs = { writeUrdf(orthoglidePrototype()) };
+  const auto compared = call<CompareMachines>("compare_machines", request);
+  ASSERT_EQ(ErrorCode::SUCCESS, compared.error_code) << compared.message;
+  ASSERT_EQ(2U, compared.machines.size());
+  const MachineComparison& own = compared.machines[0];
+  EXPECT_EQ("orthoglide", own.region.hypotheses.machine);
+  EXPECT_TRUE(own.complete);
+  EXPECT_LE(figure(own, "workspace_volume").value.lower, 0.5743);
+  EXPECT_GE(figure(own, "workspace_volume").value.upper, 0.5742);
+  EXPECT_GT(figure(own, "region_least_det_a").value.lower, 0.0);
+  EXPECT_EQ(3, figure(own, "region_volume").power);
+  EXPECT_NEAR(0.2, compared.machines[1].region.size, 1e-3);
+  EXPECT_EQ(own.figures.size(), compared.machines[1].figures.size());
+}
+
+TEST(CompareMachines, refusesWhatIsNoMachineByItsPlace)
+{
+  CompareMachines::Request request;
+  request.urdfs = { writeUrdf(orthoglide()), "<robot name='none'/>" };
+  const auto refused = call<CompareMachines>("compare_machines", request);
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, refused.error_code);
+  EXPECT_NE(std::string::npos, refused.message.find("urdfs[1]: ")) << refused.message;
+  EXPECT_TRUE(refused.machines.empty());
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, call<CompareMachines>("compare_machines", {}).error_code);
+}
+}  // namespace test
+}  // namespace pkm_workspace
