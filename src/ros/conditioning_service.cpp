@@ -3,8 +3,7 @@
 
 #include <ros/console.h>
 
-#include <sstream>
-
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
 #include "pkm_workspace/ros/conversions.h"
@@ -38,11 +37,8 @@ void requireUnused(const Request& request, Problems& problems)
 
 std::string sentence(const GlobalConditioning& found)
 {
-  std::ostringstream text;
-  text.precision(6);
-  text << "global conditioning index from " << found.index.lower() << " to " << found.index.upper()
-       << (found.complete ? ", to the accuracy asked for" : ": a limit or the size of the set ended it early");
-  return text.str();
+  return "global conditioning index from " + bracket(found.index.lower(), found.index.upper()) +
+         (found.complete ? ", to the accuracy asked for" : ": a limit or the size of the set ended it early");
 }
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/ros/verdict_message.h"
@@ -117,11 +118,11 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
 
 std::string describe(const Limit& limit, const Machine& machine)
 {
-  std::ostringstream text;
-  text.precision(6);
-  text << name(limit.kind) << (limit.leg < 0 ? "" : " of " + machine.leg(limit.leg).joint) << ": " << limit.value.mid()
-       << (limit.isViolated() ? " violates the bound " : ", bound ") << limit.bound;
-  return text.str();
+  const double value = limit.value.mid();
+  const bool looks_equal = nearly(value, 6) == nearly(limit.bound, 6);
+  return name(limit.kind) + (limit.leg < 0 ? "" : " of " + machine.leg(limit.leg).joint) + ": " +
+         (looks_equal ? exact(value) : nearly(value, 6)) + (limit.isViolated() ? " violates the bound " : ", bound ") +
+         exact(limit.bound);
 }
 
 void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response)

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -111,8 +112,7 @@ std::string describe(const PavingQuery& query)
 std::string summary(const Paving& paving)
 {
   std::ostringstream text;
-  text.precision(9);
-  text << "set of measure " << paving.volumeLower() << " to " << paving.volumeUpper() << " m^"
+  text << "set of measure " << bracket(paving.volumeLower(), paving.volumeUpper()) << " m^"
        << int(dimensionOf(paving.box)) << "; ";
   text.precision(3);
   text << paving.boxes_here << " boxes, " << paving.seconds << " s";

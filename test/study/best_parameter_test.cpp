@@ -157,10 +157,11 @@ TEST(BestParameter, allThatIsWrongIsTold)
 
 TEST(BestParameter, progressIsABracketOfTheAnswerAllTheWay)
 {
-  StudyQuery query = squares(0.3, 0.5, 1e-3);
+  StudyQuery query = squares(0.3, 0.5, 1e-5);
   std::vector<StudyProgress> told;
   query.progress = [&told](const StudyProgress& progress) { told.push_back(progress); };
   const BestParameter best = findBestParameter(query);
+  EXPECT_FALSE(told.empty()) << "nothing was told";
   for (const StudyProgress& progress : told)
   {
     EXPECT_LE(progress.size, best.region.size);

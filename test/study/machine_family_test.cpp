@@ -82,4 +82,15 @@ TEST(MachineFamily, railsThatOnlyLookParallelTogetherAreKeptApart)
   EXPECT_FALSE(family.at(Interval(0.0)).hasParallelRails());
   EXPECT_FALSE(family.at(Interval(0.0, 1.0)).hasParallelRails());
 }
+
+TEST(MachineFamily, membersOfTheOtherAspectAreRefusedSoThatNoPartSpeaksForThem)
+{
+  const Machine first("first", orthoglide().legs(), { -0.6542, -0.0237, -0.6625 });
+  const Machine last("last", orthoglide().legs(), { 0.0194, -0.8134, -0.3833 });
+  EXPECT_EQ(first.aspect(), last.aspect());
+  const MachineFamily family = familyBetween(first, last);
+  EXPECT_EQ(family.at(Interval(0.0)).aspect(), first.aspect());
+  for (const Interval& share : { Interval(0.5), Interval(0.0, 1.0) })
+    test::expectThrow<std::invalid_argument>([&] { family.at(share); }, "share 0.5.* opposite aspect");
+}
 }  // namespace pkm_workspace
