@@ -11,6 +11,12 @@
 
 namespace pkm_workspace
 {
+struct BoxFace
+{
+  int axis;
+  int side;  ///< 0: of the least coordinate, 1: of the largest
+};
+
 namespace
 {
 using visualization_msgs::Marker;
@@ -23,16 +29,30 @@ constexpr std::int64_t LOOKS = 20000;    ///< boxes for one verdict: what is dra
 constexpr double LEAST_SIDE = 1e-3;      ///< of a box that is scaled [L]
 constexpr double GROWTH_SECONDS = 10.0;  ///< a limit for the search at one center
 
+constexpr unsigned MENU_GROW = 1;
+constexpr unsigned MENU_CUBE = 2;
+constexpr double FIRST_SIDE = 0.15;                 ///< of the box at first [L]
+const Eigen::Vector3d FIRST_PLACE(-0.2, 0.2, 0.2);  ///< of its center, beside the handle of the tool [L]
+constexpr double BALL = 0.05;  ///< diameter of what is dragged at each face, and its distance from the face [L]
+constexpr double GRIP = 1.01;  ///< of the box that is dragged to the one that is shown
+
+constexpr BoxFace FACES[] = { { 0, 0 }, { 0, 1 }, { 1, 0 }, { 1, 1 }, { 2, 0 }, { 2, 1 } };
+
 /// "box_x0": the face of the least x.
-std::string faceName(int axis, int side)
+std::string nameOf(const BoxFace& face)
 {
-  return std::string(NAME) + "_" + "xyz"[axis] + "01"[side];
+  return std::string(NAME) + "_" + "xyz"[face.axis] + "01"[face.side];
 }
 
-Eigen::Vector3d faceCenter(const Box& box, int axis, int side)
+Eigen::Vector3d outwards(const BoxFace& face)
+{
+  return (face.side == 0 ? -1.0 : 1.0) * Eigen::Vector3d::Unit(face.axis);
+}
+
+Eigen::Vector3d faceCenter(const Box& box, const BoxFace& face)
 {
   Eigen::Vector3d place = box.center();
-  place[axis] = side == 0 ? box.lower[axis] : box.upper[axis];
+  place[face.axis] = face.side == 0 ? box.lower[face.axis] : box.upper[face.axis];
   return place;
 }
 
@@ -82,7 +102,7 @@ visualization_msgs::MarkerArray boxMarkers(const Box& box, const ContainmentResu
     ball.pose.position = toMessage(*result.bad_point);
     ball.scale.x = ball.scale.y = ball.scale.z = 30.0 * scene.unit();
   }
-  scene.addText("verdict", faceCenter(box, 2, 1) + 100.0 * scene.unit() * Eigen::Vector3d::UnitZ(), textOf(result));
+  scene.addText("verdict", faceCenter(box, { 2, 1 }) + 150.0 * scene.unit() * Eigen::Vector3d::UnitZ(), textOf(result));
   return scene.array();
 }
 
@@ -90,58 +110,66 @@ BoxMarker::BoxMarker(NodeContext& context, interactive_markers::InteractiveMarke
   : context_(context)
   , handles_(handles)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("box_markers", 1, true))
-  , box_(around(context.machine().zero(), Eigen::Vector3d::Constant(0.3 * context.machine().scale())))
+  , box_(around(context.machine().zero() + context.machine().scale() * FIRST_PLACE,
+                Eigen::Vector3d::Constant(FIRST_SIDE * context.machine().scale())))
 {
-  menu_.insert("Grow to the largest here", [this](const Feedback&) { grow(); });
-  menu_.insert("Make it a cube", [this](const Feedback&) { makeCube(); });
-  insertHandles();
-  set(box());
+  for (const BoxFace& face : FACES)
+  {
+    Handle ball{ nameOf(face), context.frames.root().frame, handlePlace(face) };
+    ball.size.setConstant(BALL * context.machine().scale());
+    ball.axis = face.axis;
+    insert(ball);
+  }
+  set(box_);
 }
 
-void BoxMarker::insertHandles()
+void BoxMarker::refresh()
 {
-  const auto on_drag = [this](const Feedback& feedback) {
-    if (feedback->event_type == visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE)
-      guarded(context_.health, NAME, [&] { drag(feedback); });
-  };
-  Handle handle{ NAME, context_.frames.root().frame, box_.center(), 0.04 * context_.machine().scale() };
-  handle.is_free = true;
-  handles_.insert(toMessage(handle), on_drag);
-  menu_.apply(handles_, NAME);
-  for (int axis = 0; axis < 3; ++axis)
-    for (const int side : { 0, 1 })
-    {
-      Handle face{ faceName(axis, side), handle.frame, faceCenter(box_, axis, side), 0.7 * handle.size };
-      face.axes = { axis };
-      handles_.insert(toMessage(face), on_drag);
-    }
-  handles_.applyChanges();
+  later([this] { set(box_); });
+}
+
+void BoxMarker::later(const std::function<void()>& job)
+{
+  context_.decider.post([this, job] { guarded(context_.health, NAME, job); });
+}
+
+void BoxMarker::take(const Feedback& feedback)
+{
+  using visualization_msgs::InteractiveMarkerFeedback;
+  if (feedback->event_type == InteractiveMarkerFeedback::POSE_UPDATE)
+    later([this, feedback] { drag(feedback); });
+  if (feedback->event_type != InteractiveMarkerFeedback::MENU_SELECT)
+    return;
+  if (feedback->menu_entry_id == MENU_GROW)
+    later([this] { grow(); });
+  if (feedback->menu_entry_id == MENU_CUBE)
+    later([this] { set(around(box_.center(), Eigen::Vector3d::Constant(box_.maxWidth()))); });
 }
 
 void BoxMarker::drag(const Feedback& feedback)
 {
-  const Eigen::Vector3d place =
-      context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position));
-  Box box = this->box();
+  Eigen::Vector3d place = context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position));
   if (feedback->marker_name == NAME)
-    return set(around(place, box.upper - box.lower));
+    return set(around(place, box_.upper - box_.lower));
+  Box box = box_;
   const double least = LEAST_SIDE * context_.machine().scale();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (feedback->marker_name == faceName(axis, 0))
-      box.lower[axis] = std::min(place[axis], box.upper[axis] - least);
-    if (feedback->marker_name == faceName(axis, 1))
-      box.upper[axis] = std::max(place[axis], box.lower[axis] + least);
-  }
+  for (const BoxFace& face : FACES)
+    if (feedback->marker_name == nameOf(face))
+    {
+      place -= BALL * context_.machine().scale() * outwards(face);
+      if (face.side == 0)
+        box.lower[face.axis] = std::min(place[face.axis], box.upper[face.axis] - least);
+      else
+        box.upper[face.axis] = std::max(place[face.axis], box.lower[face.axis] + least);
+    }
   set(box);
 }
 
 void BoxMarker::grow()
 {
   const StopFlag stop = context_.worker.makeStopFlag();
-  context_.worker.post([this, stop] {
+  context_.worker.post([this, stop, before = box_] {
     guarded(context_.health, NAME, [&] {
-      const Box before = box();
       RegionQuery query = context_.query();
       query.shape = makeBox(before.upper - before.lower);
       query.ratio.reset();
@@ -152,35 +180,50 @@ void BoxMarker::grow()
       if (!(region.size > 0.0))
         throw Refusal(ErrorCode::INVALID_REQUEST, "no box of these proportions is proved at this center");
       const std::vector<double> sides = region.shape->dimensions(region.size);
-      set(around(region.center, { sides[0], sides[1], sides[2] }));
+      const Box grown = around(region.center, { sides[0], sides[1], sides[2] });
+      later([this, before, grown] {
+        if (box_.lower == before.lower && box_.upper == before.upper)  // else it was dragged on meanwhile
+          set(grown);
+      });
     });
   });
 }
 
-void BoxMarker::makeCube()
-{
-  const Box before = box();
-  set(around(before.center(), Eigen::Vector3d::Constant(before.maxWidth())));
-}
-
 void BoxMarker::set(const Box& box)
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    box_ = box;
-  }
-  handles_.setPose(NAME, poseAt(box.center()));
-  for (int axis = 0; axis < 3; ++axis)
-    for (const int side : { 0, 1 })
-      handles_.setPose(faceName(axis, side), poseAt(faceCenter(box, axis, side)));
+  box_ = box;
+  showBody();
+  for (const BoxFace& face : FACES)
+    handles_.setPose(nameOf(face), poseAt(handlePlace(face)));
   handles_.applyChanges();
   const ContainmentResult result = check(context_.machine(), context_.query().criterion, box);
   markers_.publish(boxMarkers(box, result, context_.machine(), context_.frames.root().frame));
 }
 
-Box BoxMarker::box() const
+void BoxMarker::insert(const Handle& handle)
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return box_;
+  handles_.insert(toMessage(handle), [this](const Feedback& feedback) { take(feedback); });
+}
+
+void BoxMarker::showBody()
+{
+  const Eigen::Vector3d sides = box_.upper - box_.lower;
+  if (sides.isApprox(shown_sides_, 1e-9))
+  {
+    handles_.setPose(NAME, poseAt(box_.center()));  // what is dragged would be lost if it were inserted again
+    return;
+  }
+  Handle body{ NAME, context_.frames.root().frame, box_.center() };
+  body.type = Marker::CUBE;
+  body.size = GRIP * sides;
+  body.color = BARELY_VISIBLE;
+  body.menu = { "Grow to the largest here", "Make it a cube" };
+  insert(body);
+  shown_sides_ = sides;
+}
+
+Eigen::Vector3d BoxMarker::handlePlace(const BoxFace& face) const
+{
+  return faceCenter(box_, face) + BALL * context_.machine().scale() * outwards(face);
 }
 }  // namespace pkm_workspace

@@ -11,34 +11,43 @@ namespace
 {
 using visualization_msgs::InteractiveMarkerControl;
 
-InteractiveMarkerControl ballOf(const Handle& handle)
+/// rviz moves what is grabbed along x of its control: a turn of a third of a circle brings x to another axis.
+geometry_msgs::Quaternion turnTo(int axis)
 {
-  visualization_msgs::Marker ball;
-  ball.type = visualization_msgs::Marker::SPHERE;
-  ball.pose.orientation.w = 1.0;
-  ball.scale.x = ball.scale.y = ball.scale.z = handle.size;
-  ball.color.r = handle.color.r;
-  ball.color.g = handle.color.g;
-  ball.color.b = handle.color.b;
-  ball.color.a = handle.color.a;
-  InteractiveMarkerControl control;
-  control.name = "ball";
-  control.always_visible = true;
-  control.orientation.w = 1.0;
-  control.interaction_mode = handle.is_free ? InteractiveMarkerControl::MOVE_3D : InteractiveMarkerControl::BUTTON;
-  control.markers.push_back(ball);
-  return control;
+  geometry_msgs::Quaternion turn;
+  turn.w = std::sqrt(0.5);
+  (axis == 0 ? turn.x : axis == 1 ? turn.z : turn.y) = std::sqrt(0.5);
+  return turn;
 }
 
-/// The arrows point along x of the control: a turn of a third of a circle brings x to another axis.
-InteractiveMarkerControl arrowsAlong(int axis)
+InteractiveMarkerControl along(int axis)
 {
   InteractiveMarkerControl control;
   control.name = std::string("along_") + "xyz"[axis];
   control.interaction_mode = InteractiveMarkerControl::MOVE_AXIS;
-  control.orientation.w = std::sqrt(0.5);
-  (axis == 0 ? control.orientation.x : axis == 1 ? control.orientation.z : control.orientation.y) = std::sqrt(0.5);
+  control.orientation = turnTo(axis);
   return control;
+}
+
+InteractiveMarkerControl anywhere()
+{
+  InteractiveMarkerControl control;
+  control.name = "anywhere";
+  control.interaction_mode = InteractiveMarkerControl::MOVE_3D;
+  control.orientation.w = 1.0;
+  return control;
+}
+
+visualization_msgs::Marker bodyOf(const Handle& handle)
+{
+  visualization_msgs::Marker body;
+  body.type = handle.type;
+  body.pose.orientation.w = 1.0;
+  body.scale.x = handle.size.x();
+  body.scale.y = handle.size.y();
+  body.scale.z = handle.size.z();
+  body.color = toMessage(handle.color);
+  return body;
 }
 }  // namespace
 
@@ -55,12 +64,21 @@ visualization_msgs::InteractiveMarker toMessage(const Handle& handle)
   visualization_msgs::InteractiveMarker message;
   message.header.frame_id = handle.frame;
   message.name = handle.name;
-  message.description = handle.description;
   message.pose = poseAt(handle.place);
-  message.scale = static_cast<float>(4.0 * handle.size);
-  message.controls.push_back(ballOf(handle));
-  for (const int axis : handle.axes)
-    message.controls.push_back(arrowsAlong(axis));
+  message.scale = static_cast<float>(handle.arrows);
+  message.controls.push_back(handle.axis ? along(*handle.axis) : anywhere());
+  message.controls.back().always_visible = true;
+  message.controls.back().markers.push_back(bodyOf(handle));
+  if (handle.arrows > 0.0)
+    for (int axis = 0; axis < 3; ++axis)
+      message.controls.push_back(along(axis));
+  for (const std::string& title : handle.menu)
+  {
+    visualization_msgs::MenuEntry entry;
+    entry.id = static_cast<unsigned>(message.menu_entries.size() + 1);
+    entry.title = title;
+    message.menu_entries.push_back(entry);
+  }
   return message;
 }
 }  // namespace pkm_workspace

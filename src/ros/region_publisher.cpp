@@ -21,7 +21,6 @@ constexpr std::int64_t BOXES = 2000000;  // nor can rviz draw much more
 RegionPublisher::RegionPublisher(NodeContext& context, Tool* tool)
   : context_(context)
   , tool_(tool)
-  , stop_(context.painter.makeStopFlag())
   , region_(context.private_node.advertise<Region>("region", 1, true))
   , joint_ranges_(context.private_node.advertise<JointRanges>("joint_ranges", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
@@ -42,9 +41,11 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
     ROS_WARN_STREAM_NAMED("joint_states", "the model cannot go to the center of the region: " << moved.objection);
 }
 
-void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region)
+void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
-  markers_.publish(markersOf(region, *question.in.machine, pavingFor(question), context_.parameters.show_boundary));
+  const Paving* paving = pavingFor(question, stop);
+  if (!*stop)
+    markers_.publish(markersOf(region, *question.in.machine, paving, context_.parameters.show_boundary));
 }
 
 PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const
@@ -61,27 +62,30 @@ PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const
   wanted.budget.time_limit = SECONDS;
   wanted.budget.max_boxes = BOXES;
   wanted.budget.threads = question.query.budget.threads;
-  wanted.budget.stop = stop_.get();
   return wanted;
 }
 
-const Paving* RegionPublisher::pavingFor(const RegionQuestion& question)
+const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const StopFlag& stop)
 {
   if (!context_.parameters.show_paving)
     return nullptr;
   try
   {
-    const PavingQuery wanted = pavingQuery(question);
+    PavingQuery wanted = pavingQuery(question);
     Problems differences;
     if (paving_)
       validateEarlier(*question.in.machine, wanted, *paving_, differences);
     if (paving_ && differences.empty())
       return &*paving_;
+    wanted.budget.stop = stop.get();
     paving_ = pave(*question.in.machine, wanted);
     ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
                    static_cast<long>(paving_->tree.count(CellState::INSIDE)),
                    static_cast<long>(paving_->boxes - paving_->tree.count(CellState::INSIDE)), paving_->seconds);
-    return &*paving_;
+    if (!*stop)
+      return &*paving_;
+    paving_.reset();  // it is not what was asked for
+    return nullptr;
   }
   catch (const std::invalid_argument& error)
   {

@@ -18,6 +18,7 @@ constexpr double BURST = 0.05;
 
 RegionService::RegionService(NodeContext& context, Tool* tool)
   : context_(context)
+  , pictures_(context.painter.makeStopFlag())
   , publisher_(context, tool)
   , action_(context, "find_largest_region",
             [this](const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result) {
@@ -72,6 +73,8 @@ void RegionService::computeOwn()
   if (own_)
     *own_ = true;
   own_ = stop;
+  *pictures_ = true;
+  pictures_ = context_.painter.makeStopFlag();
   context_.worker.post([this, stop] { computeOwn(stop); });
 }
 
@@ -116,10 +119,11 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
 void RegionService::show(const RegionQuestion& question, const RegionConstPtr& region)
 {
   publisher_.publish(question, *region);
-  context_.painter.post([this, question, region] {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  context_.painter.post([this, question, region, stop = pictures_] {
     ros::WallDuration(BURST).sleep();
     if (region == lastRegion())
-      publisher_.publishMarkers(question, *region);
+      publisher_.publishMarkers(question, *region, stop);
   });
 }
 

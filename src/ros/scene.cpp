@@ -39,6 +39,16 @@ void addBoxes(const std::string& ns, const Color& color, const BoxTree& tree, Ce
 }
 }  // namespace
 
+std_msgs::ColorRGBA toMessage(const Color& color)
+{
+  std_msgs::ColorRGBA message;
+  message.r = color.r;
+  message.g = color.g;
+  message.b = color.b;
+  message.a = color.a;
+  return message;
+}
+
 Scene::Scene(const std_msgs::Header& header, double unit) : unit_(unit)
 {
   Marker clear;
@@ -58,10 +68,7 @@ Marker& Scene::add(const std::string& ns, int type, const Color& color)
   marker.id = ids_[ns]++;
   marker.type = type;
   marker.frame_locked = true;
-  marker.color.r = color.r;
-  marker.color.g = color.g;
-  marker.color.b = color.b;
-  marker.color.a = color.a;
+  marker.color = toMessage(color);
   marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
   array_.markers.push_back(marker);
   return array_.markers.back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Core>
@@ -15,6 +16,8 @@ struct Color
 {
   float r, g, b, a;
 };
+
+std_msgs::ColorRGBA toMessage(const Color& color);
 
 /// Collects markers that share a header; ids count up in each namespace.
 class Scene

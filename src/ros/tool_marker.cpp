@@ -25,6 +25,8 @@ constexpr Color SLIDER = { 0.95F, 0.45F, 0.05F, 1.0F };
 constexpr double SPEED = 0.1;         ///< of the joints [m/s]
 constexpr double COMFORT = 0.3;       ///< margin from which on it is all green
 constexpr double LONGEST_AXIS = 8.0;  ///< beyond that near a parallel singularity the ellipsoid is cut off
+/// Diameter [L] of the ball that can be grabbed: around the ellipsoid, which would be in the way of the mouse.
+constexpr double GRIP = 0.42;
 
 /// From yellow at the border to green.
 Color colorOf(double margin)
@@ -95,9 +97,10 @@ ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::In
   , handles_(handles)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("tool_markers", 1, true))
 {
-  Handle handle{ NAME, context.frames.root().frame, tool.state().point, 0.06 * context.machine().scale() };
-  handle.axes = { 0, 1, 2 };
-  handle.is_free = true;
+  Handle handle{ NAME, context.frames.root().frame, tool.state().point };
+  handle.size.setConstant(GRIP * context.machine().scale());
+  handle.color = BARELY_VISIBLE;
+  handle.arrows = GRIP * context.machine().scale();
   handles_.insert(toMessage(handle), [this, &tool](const auto& feedback) {
     if (feedback->event_type == visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE)
       guarded(context_.health, NAME, [&] {

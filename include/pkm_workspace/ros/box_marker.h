@@ -2,10 +2,10 @@
 #pragma once
 
 #include <interactive_markers/interactive_marker_server.h>
-#include <interactive_markers/menu_handler.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <mutex>
+#include <Eigen/Core>
+#include <functional>
 
 #include "pkm_workspace/interval/box.h"
 #include "pkm_workspace/region/containment.h"
@@ -18,33 +18,38 @@ namespace pkm_workspace
 visualization_msgs::MarkerArray boxMarkers(const Box& box, const ContainmentResult& result, const Machine& machine,
                                            const std::string& frame);
 
-/// A box to drag and to scale among the interactive markers, its verdict on ~box_markers, latched; its context menu
-/// grows it to the largest box of its proportions at its center. Thread-safe.
+struct BoxFace;
+struct Handle;
+
+/// A box to drag and, by a ball before each face, to scale among the interactive markers, its verdict on ~box_markers,
+/// latched; its context menu grows it to the largest box of its proportions at its center. Thread-safe: the node's
+/// decider does everything.
 class BoxMarker
 {
 public:
-  /// The references have to outlive this object.
+  /// The references have to outlive this object, the threads of the context have to end before it.
   BoxMarker(NodeContext& context, interactive_markers::InteractiveMarkerServer& handles);
 
   /// Shows the verdict by the node's criterion of now.
-  void refresh() { set(box()); }
+  void refresh();
 
 private:
   using Feedback = visualization_msgs::InteractiveMarkerFeedbackConstPtr;
 
-  void insertHandles();
+  void later(const std::function<void()>& job);
+  void take(const Feedback& feedback);
   void drag(const Feedback& feedback);
   void grow();
-  void makeCube();
   /// Changes the box, then shows it with its verdict.
   void set(const Box& box);
-  Box box() const;
+  void insert(const Handle& handle);
+  void showBody();
+  Eigen::Vector3d handlePlace(const BoxFace& face) const;
 
   NodeContext& context_;
   interactive_markers::InteractiveMarkerServer& handles_;
-  interactive_markers::MenuHandler menu_;
   ros::Publisher markers_;
-  mutable std::mutex mutex_;
   Box box_;
+  Eigen::Vector3d shown_sides_ = Eigen::Vector3d::Zero();  ///< of the body among the interactive markers [m]
 };
 }  // namespace pkm_workspace

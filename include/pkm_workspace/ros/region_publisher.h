@@ -24,17 +24,17 @@ public:
   /// Publishes the region and its joint ranges, and moves the machine there.
   void publish(const RegionQuestion& question, const Region& region);
   /// Publishes the markers, after a paving (up to seconds) unless it is the last one over again.
-  void publishMarkers(const RegionQuestion& question, const Region& region);
+  /// @param stop where it is set, the paving ends and nothing is published
+  void publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop);
 
 private:
   void moveMachine(const RegionQuestion& question, const Region& region);
   PavingQuery pavingQuery(const RegionQuestion& question) const;
   /// The set that the region lies in; nothing where it is not to be shown or cannot be bounded.
-  const Paving* pavingFor(const RegionQuestion& question);
+  const Paving* pavingFor(const RegionQuestion& question, const StopFlag& stop);
 
   NodeContext& context_;
   Tool* const tool_;
-  const StopFlag stop_;
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;

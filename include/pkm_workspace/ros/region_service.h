@@ -22,7 +22,7 @@ public:
   /// @param tool what is moved to centers of regions, or nullptr
   RegionService(NodeContext& context, Tool* tool);
 
-  /// Computes the node's own region, later; ends that computation where it still runs.
+  /// Computes the node's own region, later; ends that computation, and the pictures, that still run.
   void computeOwn();
   /// Whether the first computation has failed: a FATAL line has said why.
   bool hasFailed() const { return failed_; }
@@ -41,14 +41,15 @@ private:
   RegionConstPtr lastRegion() const;
 
   NodeContext& context_;
+  mutable std::mutex mutex_;
+  RegionConstPtr last_region_;
+  StopFlag own_;       ///< of the node's own computation
+  StopFlag pictures_;  ///< of what the painter has to do
+
   RegionPublisher publisher_;
   std::atomic<bool> failed_{ false };
   ros::ServiceServer compute_service_;
   ros::ServiceServer get_service_;
   Action action_;
-
-  mutable std::mutex mutex_;
-  RegionConstPtr last_region_;
-  StopFlag own_;  ///< of the node's own computation
 };
 }  // namespace pkm_workspace
