@@ -156,14 +156,17 @@ Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
   return mid(leg.origin) + rho * mid(leg.axis);
 }
 
-/// Beyond the end of the rail that is farther from the region, or at least well beyond the range.
+/// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
 Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, double unit)
 {
   const auto distance = [&](double rho) { return (sliderPoint(leg, rho) - center).norm(); };
-  const double reach = 450.0 * unit;
-  if (distance(range.lower) > distance(range.upper))
-    return sliderPoint(leg, std::max(leg.limits.lower(), range.lower - reach) - 100.0 * unit);
-  return sliderPoint(leg, std::min(leg.limits.upper(), range.upper + reach) + 100.0 * unit);
+  const double outwards = distance(range.lower) > distance(range.upper) ? -1.0 : 1.0;
+  const double reach = std::max(0.5 * (range.upper - range.lower) + 50.0 * unit, 550.0 * unit);
+  const double end = 0.5 * (range.lower + range.upper) + outwards * reach;
+  const double on_rail = std::min(std::max(end, leg.limits.lower()), leg.limits.upper());
+  const Eigen::Vector3d axis = mid(leg.axis);
+  const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ() - axis.z() * axis;
+  return sliderPoint(leg, on_rail + outwards * 200.0 * unit) + 100.0 * unit * upwards;
 }
 
 void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, Scene& scene)
@@ -171,7 +174,7 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
   bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
-  const std::string text = range.joint + "\nDelta rho = " + digits(range.stroke_upper_bound, roundedUp) + " m";
+  const std::string text = range.joint + "\nDelta rho\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
   scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
 }
 }  // namespace

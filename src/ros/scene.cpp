@@ -13,8 +13,8 @@ namespace
 using visualization_msgs::Marker;
 
 constexpr Color TEXT = { 0.1F, 0.1F, 0.1F, 1.0F };
-constexpr Color INSIDE = { 0.30F, 0.85F, 0.45F, 0.10F };
-constexpr Color BOUNDARY = { 0.95F, 0.75F, 0.10F, 0.04F };
+constexpr Color INSIDE = { 0.15F, 0.85F, 0.30F, 0.10F };
+constexpr Color BOUNDARY = { 1.0F, 0.70F, 0.0F, 0.08F };
 constexpr std::int64_t MOST_BOXES = 20000;
 
 /// Flat boxes (their set does not change along the rails, and the region lies in their plane) are drawn with a little

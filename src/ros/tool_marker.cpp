@@ -85,7 +85,7 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
     addEllipsoid(*matrices, tool.point, good ? colorOf(evaluate.test().margin(tool.point)) : RED, scene);
   if (const auto rho = inverseKinematics(machine, tool.point))
     for (int i = 0; i < 3; ++i)
-      addTravel(machine.leg(i), (*rho)[i], machine.scale(), scene);
+      addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
   if (!good)
     scene.addText("reason", tool.point + 150.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
                   tool.objection.empty() ? describe(there.binding(), machine) : tool.objection);
