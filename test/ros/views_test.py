@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The launch files open rviz on what they promise: looked at on a screen in memory, by colours and counts."""
+
+import pathlib
+import unittest
+
+import rospkg
+import rospy
+import rostest
+import yaml
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from pkm_workspace.client import Client
+from rendering import Launch, Screen
+from visualization_msgs.msg import InteractiveMarkerFeedback, Marker, MarkerArray
+
+NODE = "/pkm_workspace_node"
+OK, WARNING, ERROR = (40, 120, 197), (192, 128, 0), (192, 32, 32)  # names of displays in their list
+
+
+def percent(name, least, most):
+    return {f"{name} [% of the view]": (lambda picture: picture.percent(name), least, most)}
+
+
+def count(name, number, least, cell):
+    return {f"number of {name}": (lambda picture: picture.count(name, least, cell), number, number)}
+
+
+def listed(text, color, least, most):
+    return {f"pixels of displays with {text}": (lambda picture: picture.listed(color), least, most)}
+
+
+def pose_at(*point):
+    return Pose(Point(*point), Quaternion(0, 0, 0, 1))
+
+
+# A whole machine that fills the view, and no complaint of rviz.
+WELL = {
+    **percent("rails", 0.1, 4),
+    **percent("sliders", 0.05, 1),
+    **percent("struts", 0.03, 2),
+    "height of what is drawn [% of the view]": (lambda picture: picture.height(), 55, 99),
+    "margin around it [% of the view's height]": (lambda picture: picture.margin(), 0.5, 45),
+    **listed("status ok", OK, 300, 3000),
+    **listed("a warning", WARNING, 0, 0),
+    **listed("an error", ERROR, 0, 0),
+}
+LABELS = count("labels", 4, 30, 24)  # one of the region, one at each rail
+
+
+class ViewsTest(unittest.TestCase):
+    def publish(self, name, kind, *arguments, **fields):
+        """Latched until the test is over: whoever comes late gets the message as well."""
+        publisher = rospy.Publisher(f"{NODE}/{name}", kind, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(*arguments, **fields)
+
+    def see(self, screen, expectations):
+        return screen.wait_for(expectations, self.id().split(".")[-1])
+
+    def test_the_largest_cube_of_the_orthoglide_and_the_set_by_verdict(self):
+        with Screen() as screen, Launch(screen, "orthoglide"):
+            region = {**percent("region's faces", 5, 14), **percent("region's edges", 0.08, 0.6),
+                      **percent("joint ranges", 0.05, 0.5), **percent("set", 8, 25)}
+            self.see(screen, {**WELL, **LABELS, **region, **percent("border of the set", 0, 1)})
+            Client(NODE).workspace()
+            self.see(screen, {**WELL, **region, **percent("border of the set", 3, 12)})
+            flat = Marker(type=Marker.CUBE, pose=pose_at(0, 0, 0))
+            flat.header.frame_id = "base_link"
+            self.publish("singularity_markers", MarkerArray, [flat])
+            self.see(screen, listed("a warning", WARNING, 50, 3000))  # which would have been seen above
+
+    def test_a_machine_on_a_tilted_table(self):
+        lean = {"lean of the joint ranges [degrees]": (lambda picture: picture.lean("joint ranges", 100), 4, 12)}
+        with Screen() as screen, Launch(screen, "tilted_table"):
+            self.see(screen, {**WELL, **LABELS, **lean, **count("joint ranges", 3, 100, 12), **percent("table", 5, 15),
+                              **percent("set", 0.2, 3), **percent("region's edges", 0.02, 0.3)})
+
+    def test_tool_and_box_of_the_prototype(self):
+        good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
+        with Screen() as screen, Launch(screen, "prototype", view="interactive"):
+            self.see(screen, {**WELL, **good, **percent("green box", 0.2, 1), **percent("red box", 0, 0.4),
+                              **percent("labels", 0.02, 0.1)})
+            self.publish("interactive_markers/feedback", InteractiveMarkerFeedback, marker_name="box",
+                         event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=pose_at(0.2, 0.1, 0.15))
+            self.see(screen, {**good, **percent("green box", 0, 0.1), **percent("red box", 0.4, 2)})
+            self.publish("tool_pose", PoseStamped, pose=pose_at(0.12, 0.12, 0.15))
+            self.see(screen, {**percent("green", 0, 0.35), **percent("red", 1.5, 6), **percent("labels", 0.1, 0.5)})
+
+    def test_handles_of_the_uranesx(self):
+        with Screen() as screen, Launch(screen, "uranesx", view="interactive"):
+            self.see(screen, WELL)
+
+    def test_views_of_small_machines_differ_by_lengths_only(self):
+        folder = pathlib.Path(rospkg.RosPack().get_path("pkm_workspace")) / "rviz"
+        for path in folder.glob("*_small.rviz"):
+            small, large = (yaml.safe_load(p.read_text())["Visualization Manager"]
+                            for p in (path, folder / path.name.replace("_small", "")))
+            for manager in (small, large):
+                del manager["Displays"][0]["Cell Size"]
+                del manager["Views"]["Current"]["Distance"]
+                del manager["Views"]["Current"]["Focal Point"]
+            self.assertEqual(small, large, path.name)
+
+
+if __name__ == "__main__":
+    rospy.init_node("views_test")
+    rostest.rosrun("pkm_workspace", "views", ViewsTest)
