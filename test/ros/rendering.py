@@ -37,6 +37,7 @@ COLORS = {
     "red": lambda r, g, b: (r - g > 100) & (r - b > 90) & (abs(g - b) < 45),
     "green box": lambda r, g, b: (g - r > 25) & (g - r < 55) & (b >= r) & (g - b > 15) & (r > 110),
     "red box": lambda r, g, b: (r - g > 25) & (abs(g - b) < 16) & (g > 90),
+    "blue arrows": lambda r, g, b: (b - r > 80) & (abs(r - g) < 20),
     "drawn": lambda r, g, b: (r != g) | (g != b) | (r < 200),
 }
 

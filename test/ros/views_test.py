@@ -47,6 +47,8 @@ WELL = {
 }
 LABELS = count("labels", 4, 30, 24)  # one of the region, one at each rail
 
+HANDLES = percent("blue arrows", 0.05, 2)
+
 
 class ViewsTest(unittest.TestCase):
     def publish(self, name, kind, *arguments, **fields):
@@ -79,7 +81,7 @@ class ViewsTest(unittest.TestCase):
     def test_tool_and_box_of_the_prototype(self):
         good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
         with Screen() as screen, Launch(screen, "prototype", view="interactive"):
-            self.see(screen, {**WELL, **good, **percent("green box", 0.2, 1), **percent("red box", 0, 0.4),
+            self.see(screen, {**WELL, **HANDLES, **good, **percent("green box", 0.2, 1), **percent("red box", 0, 0.4),
                               **percent("labels", 0.02, 0.1)})
             self.publish("interactive_markers/feedback", InteractiveMarkerFeedback, marker_name="box",
                          event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=pose_at(0.2, 0.1, 0.15))
@@ -89,7 +91,7 @@ class ViewsTest(unittest.TestCase):
 
     def test_handles_of_the_uranesx(self):
         with Screen() as screen, Launch(screen, "uranesx", view="interactive"):
-            self.see(screen, WELL)
+            self.see(screen, {**WELL, **HANDLES})
 
     def test_views_of_small_machines_differ_by_lengths_only(self):
         folder = pathlib.Path(rospkg.RosPack().get_path("pkm_workspace")) / "rviz"
