@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -13,6 +14,7 @@ import zlib
 import numpy
 
 PATIENCE = 120.0  # [s] until what was expected has not come; software draws a picture in about one
+STARTS = 4  # of one launch file, where rviz dies
 SIZE = (1280, 900)
 BACKGROUND = (250, 250, 250)
 
@@ -135,7 +137,7 @@ class Screen:
         self.folder = tempfile.TemporaryDirectory()
         reading, writing = os.pipe()
         command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "{}x{}x24".format(*SIZE),
-                   "-fbdir", self.folder.name, "-nolisten", "tcp"]
+                   "-fbdir", self.folder.name, "-nolisten", "tcp", "-nocursor"]
         self.server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as answer:
@@ -158,6 +160,41 @@ class Screen:
         rows = numpy.frombuffer(data, numpy.uint8, line * height, size + 12 * colors).reshape(height, line)
         return Picture(rows[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1].copy())
 
+
+class Launch(Screen):
+    """A launch file of this package, as it is shipped, on a screen of its own; ends with all that it started."""
+
+    def __init__(self, machine, **arguments):
+        options = [f"{name}:={value}" for name, value in arguments.items()]
+        self.command = ["roslaunch", "pkm_workspace", f"{machine}.launch", *options]
+        self.starts = 0
+
+    def __enter__(self):
+        super().__enter__()
+        self.log = pathlib.Path(self.folder.name) / "roslaunch.log"
+        self.start()
+        return self
+
+    def __exit__(self, *_):
+        self.stop()
+        super().__exit__()
+
+    def start(self):
+        self.starts += 1
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(self.command, env=self.environment, stdout=log, stderr=subprocess.STDOUT)
+
+    def stop(self):
+        self.process.send_signal(signal.SIGINT)
+        self.process.wait(PATIENCE)
+
+    def restart_after_a_crash(self):
+        """Now and then rviz dies while it opens, its heap spoilt, most often where processors are busy; rviz alone does
+        so too. Whoever sits before it would start it again."""
+        if self.starts < STARTS and re.search(r"\[rviz-\d+\] process has died", self.log.read_text()):
+            self.stop()
+            self.start()
+
     def wait_for(self, expectations, name):
         """Waits for one picture in which each of {text: (function of it, least, most)} holds. Returns it."""
         deadline = time.monotonic() + PATIENCE
@@ -171,20 +208,6 @@ class Screen:
             if time.monotonic() > deadline:
                 path = pathlib.Path(tempfile.gettempdir()) / f"pkm_workspace_view_{name}.png"
                 path.write_bytes(png(picture.pixels))
-                raise AssertionError("\n".join([f"{name} was not seen as expected; picture in {path}", *wrong]))
-
-
-class Launch:
-    """A launch file of this package, as it is shipped, on a screen; ends with all that it started."""
-
-    def __init__(self, screen, machine, **arguments):
-        options = [f"{name}:={value}" for name, value in arguments.items()]
-        command = ["roslaunch", "pkm_workspace", f"{machine}.launch", *options]
-        self.process = subprocess.Popen(command, env=screen.environment)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait(PATIENCE)
+                heading = f"{name} was not seen as expected; picture in {path}; {' '.join(self.command)} said:"
+                raise AssertionError("\n".join([heading, self.log.read_text(), *wrong]))
+            self.restart_after_a_crash()

@@ -11,7 +11,7 @@ import rostest
 import yaml
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from pkm_workspace.client import Client
-from rendering import Launch, Screen
+from rendering import Launch
 from visualization_msgs.msg import InteractiveMarkerFeedback, Marker, MarkerArray
 
 NODE = "/pkm_workspace_node"
@@ -61,7 +61,7 @@ class ViewsTest(unittest.TestCase):
         return screen.wait_for(expectations, self.id().split(".")[-1])
 
     def test_the_largest_cube_of_the_orthoglide_and_the_set_by_verdict(self):
-        with Screen() as screen, Launch(screen, "orthoglide"):
+        with Launch("orthoglide") as screen:
             region = {**percent("region's faces", 5, 14), **percent("region's edges", 0.08, 0.6),
                       **percent("joint ranges", 0.05, 0.5), **percent("set", 8, 25)}
             self.see(screen, {**WELL, **LABELS, **region, **percent("border of the set", 0, 1)})
@@ -74,13 +74,13 @@ class ViewsTest(unittest.TestCase):
 
     def test_a_machine_on_a_tilted_table(self):
         lean = {"lean of the joint ranges [degrees]": (lambda picture: picture.lean("joint ranges", 100), 4, 12)}
-        with Screen() as screen, Launch(screen, "tilted_table"):
+        with Launch("tilted_table") as screen:
             self.see(screen, {**WELL, **LABELS, **lean, **count("joint ranges", 3, 100, 12), **percent("table", 5, 15),
                               **percent("set", 0.2, 3), **percent("region's edges", 0.02, 0.3)})
 
     def test_tool_and_box_of_the_prototype(self):
         good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
-        with Screen() as screen, Launch(screen, "prototype", view="interactive"):
+        with Launch("prototype", view="interactive") as screen:
             self.see(screen, {**WELL, **HANDLES, **good, **percent("green box", 0.2, 1), **percent("red box", 0, 0.4),
                               **percent("labels", 0.02, 0.1)})
             self.publish("interactive_markers/feedback", InteractiveMarkerFeedback, marker_name="box",
@@ -90,7 +90,7 @@ class ViewsTest(unittest.TestCase):
             self.see(screen, {**percent("green", 0, 0.35), **percent("red", 1.5, 6), **percent("labels", 0.1, 0.5)})
 
     def test_handles_of_the_uranesx(self):
-        with Screen() as screen, Launch(screen, "uranesx", view="interactive"):
+        with Launch("uranesx", view="interactive") as screen:
             self.see(screen, {**WELL, **HANDLES})
 
     def test_views_of_small_machines_differ_by_lengths_only(self):
