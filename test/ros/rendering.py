@@ -189,8 +189,8 @@ class Launch(Screen):
         self.process.wait(PATIENCE)
 
     def restart_after_a_crash(self):
-        """Now and then rviz dies while it opens, its heap spoilt, most often where processors are busy; rviz alone does
-        so too. Whoever sits before it would start it again."""
+        """Where processors are busy, rviz on software GL dies now and then while it opens (one time in about fifty),
+        its heap spoilt, though no code of this package runs in it. Whoever sits before it would start it again."""
         if self.starts < STARTS and re.search(r"\[rviz-\d+\] process has died", self.log.read_text()):
             self.stop()
             self.start()
