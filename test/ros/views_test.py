@@ -12,6 +12,7 @@ import yaml
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from pkm_workspace.client import Client
 from rendering import Launch
+from std_msgs.msg import Header
 from visualization_msgs.msg import InteractiveMarkerFeedback, Marker, MarkerArray
 
 NODE = "/pkm_workspace_node"
@@ -76,7 +77,11 @@ class ViewsTest(unittest.TestCase):
         lean = {"lean of the joint ranges [degrees]": (lambda picture: picture.lean("joint ranges", 100), 4, 12)}
         with Launch("tilted_table") as screen:
             self.see(screen, {**WELL, **LABELS, **lean, **count("joint ranges", 3, 100, 12), **percent("table", 5, 15),
-                              **percent("set", 0.2, 3), **percent("region's edges", 0.02, 0.3)})
+                              **percent("set", 0.2, 3), **percent("region's edges", 0.02, 0.07),
+                              **percent("joint ranges", 0.1, 0.35)})
+            Client(NODE).largest_region(shape="cube", header=Header(frame_id="world"))
+            self.see(screen, {**WELL, **LABELS, **lean, **percent("table", 3, 15),
+                              **percent("region's edges", 0.08, 0.5), **percent("joint ranges", 0.4, 1.5)})
 
     def test_tool_and_box_of_the_prototype(self):
         good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
