@@ -125,5 +125,12 @@ void declareBudget(Options& options, Budget& budget)
                 "boxes looked at before it ends with the best proved so far; without it, no limit");
   options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");
 }
+
+void declareMemory(Options& options, std::int64_t& max_memory)
+{
+  constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
+  options.count("max-memory", max_memory, MOST_BYTES,
+                "bytes that boxes may take before it ends with the best proved so far; without it, no limit");
+}
 }  // namespace cli
 }  // namespace pkm_workspace

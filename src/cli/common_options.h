@@ -84,5 +84,7 @@ constexpr std::int64_t MOST_BOXES = 1000000000000;
 
 /// --time-limit, --max-boxes, --threads.
 void declareBudget(Options& options, Budget& budget);
+/// --max-memory.
+void declareMemory(Options& options, std::int64_t& max_memory);
 }  // namespace cli
 }  // namespace pkm_workspace

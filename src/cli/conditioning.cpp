@@ -38,6 +38,11 @@ public:
     criterion_options_.declare(options, criterion_);
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
     declareBudget(options, query_.budget);
+    declareMemory(options, query_.max_memory);
+    options.check({ "max-memory" }, [this](Problems& problems) {
+      if (query_.max_memory != 0 && query_.max_memory < ConditioningQuery::LEAST_MEMORY)
+        problems.push_back("must be at least " + std::to_string(ConditioningQuery::LEAST_MEMORY) + " bytes");
+    });
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -69,8 +74,7 @@ private:
                                                              std::to_string(found.dimension) + ", the measure of " +
                                                              over },
                                       { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
-    return aligned(rows, Align::LEFT) +
-           (found.complete ? "" : "The accuracy was not met: a limit ended it, or the set has no proved volume.\n") +
+    return aligned(rows, Align::LEFT) + wrapped(remarkOn(found)) +
            (region_.given() ? "" : "\n" + wrapped(definition(criterion_)));
   }
 

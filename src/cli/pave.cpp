@@ -19,7 +19,6 @@ namespace cli
 namespace
 {
 constexpr std::int64_t MOST_LISTED = 10000000;
-constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
 
 class Pave : public Command
 {
@@ -57,8 +56,7 @@ public:
                 "where nothing changes along the rails");
     criterion_options_.declare(options, query_.criterion);
     declareBudget(options, query_.budget);
-    options.count("max-memory", query_.max_memory, MOST_BYTES,
-                  "bytes that boxes may take before it ends with the best proved so far; without it, no limit");
+    declareMemory(options, query_.max_memory);
     options.text("save", save_, "FILE", "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
         "resume", resume_, "FILE",

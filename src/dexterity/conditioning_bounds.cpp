@@ -12,6 +12,7 @@ using Form = AffineForm<double>;
 using Matrix = SymmetricForms<double>;
 
 const ConditioningBounds NOTHING{ Interval(0.0, 1.0), Interval(0.0, 1.0) };
+const ConditioningBounds OUT_OF_REACH{ Interval(0.0), Interval(0.0) };
 
 /// How often a bound of an eigenvalue is loosened before it is given up.
 constexpr int TRIALS = 40;
@@ -74,6 +75,9 @@ ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box
 {
   const CenteredBox<double> centered(box);
   const MachineForms<double> forms = model.evaluate(centered);
+  for (const Form& radicand : forms.radicand)
+    if (radicand.upper() < 0.0)
+      return OUT_OF_REACH;
   for (const Form& radicand : forms.radicand)
     if (!(radicand.lower() > 0.0))
       return NOTHING;

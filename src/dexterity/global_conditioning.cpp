@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "pkm_workspace/dexterity/partial_mean.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -14,9 +16,6 @@ namespace
 constexpr std::size_t WAVE = 64;
 /// How many more boxes there are each time the width is looked at.
 constexpr double GROWTH = 1.2;
-/// How far below a floating-point estimate a bound is tried first, and how much farther each time after that.
-constexpr double FIRST_STEP = 1e-12;
-constexpr double STEPS = 10.0;
 
 /// A box that belongs to the set as a whole, or of which an unknown part does.
 struct Part
@@ -28,6 +27,10 @@ struct Part
   double uncertainty;  ///< what it adds to the width of the result, about
   bool operator<(const Part& other) const { return uncertainty < other.uncertainty; }
 };
+
+/// What a part may take: the vector of parts copies itself into twice the room where it grows, and one at the border is
+/// told to the mean as well.
+constexpr std::size_t PART_BYTES = 3 * sizeof(Part) + 3 * PartialMean::BORDER_BYTES;
 
 /// Of flat boxes, the area: sides without a width do not count.
 Interval measureOf(const Box& box)
@@ -54,7 +57,7 @@ public:
   {
     result_.dimension = static_cast<int>((box.lower.array() < box.upper.array()).count());
     addAll({ box });
-    for (std::size_t next_look = 0; !parts_.empty() && !isOver();)
+    for (std::size_t next_look = 0; !parts_.empty() && !isOver() && !isFull();)
     {
       if (parts_.size() >= next_look && widthNearly() <= query_.accuracy)
         break;
@@ -65,6 +68,7 @@ public:
         break;
       addAll(halves);
     }
+    result_.out_of_memory = isFull();
     conclude();
     return result_;
   }
@@ -84,6 +88,13 @@ private:
   {
     const Budget& budget = query_.budget;
     return budget.isOver(seconds()) || (budget.max_boxes > 0 && result_.boxes >= budget.max_boxes);
+  }
+
+  /// Whether another wave may not fit into the memory.
+  bool isFull() const
+  {
+    const std::size_t most = static_cast<std::size_t>(query_.max_memory) / PART_BYTES;
+    return query_.max_memory > 0 && parts_.size() + std::min(WAVE, parts_.size()) > most;
   }
 
   void addAll(const std::vector<Box>& boxes)
@@ -154,61 +165,13 @@ private:
     return measure > 0.0 ? uncertainty / measure : 1.0;
   }
 
-  /// Encloses the sum over the set of (index - ratio) dV; the parts at the border count where they make it worse for a
-  /// bound from @p below.
-  Interval excess(double ratio, bool below) const
-  {
-    Interval sum;
-    for (const Part& part : parts_)
-    {
-      const Interval term = part.measure * (part.index - Interval(ratio));
-      if (part.whole)
-        sum += term;
-      else
-        sum += below ? Interval(std::min(0.0, term.lower())) : Interval(std::max(0.0, term.upper()));
-    }
-    return sum;
-  }
-
-  /// The mean is at least a ratio exactly where the excess over it is not negative, whatever parts count at the border;
-  /// for the other side the other way round.
-  double bound(bool below) const
-  {
-    double ratio = nearly(below);
-    const double sign = below ? -1.0 : 1.0;
-    for (double step = FIRST_STEP; ratio > 0.0 && ratio < 1.0; step *= STEPS)
-    {
-      ratio += sign * step;
-      const Interval found = excess(ratio, below);
-      if (below ? found.lower() >= 0.0 : found.upper() <= 0.0)
-        return std::min(1.0, std::max(0.0, ratio));
-    }
-    return below ? 0.0 : 1.0;
-  }
-
-  /// The same by bisection, in floating point.
-  double nearly(bool below) const
-  {
-    double lower = 0.0;
-    double upper = 1.0;
-    for (int step = 0; step < 50; ++step)
-    {
-      const double middle = 0.5 * (lower + upper);
-      const Interval found = excess(middle, below);
-      const bool is_bound = below ? found.lower() >= 0.0 : found.upper() <= 0.0;
-      (is_bound == below ? lower : upper) = middle;
-    }
-    return below ? lower : upper;
-  }
-
   void conclude()
   {
-    Interval whole;
-    Interval border;
+    PartialMean mean;
     for (const Part& part : parts_)
-      (part.whole ? whole : border) += part.measure;
-    result_.measure = { whole.lower(), (whole + border).upper() };
-    result_.index = whole.certainlyPositive() ? Interval(bound(true), bound(false)) : Interval(0.0, 1.0);
+      part.whole ? mean.addWhole(part.measure, part.index) : mean.addBorder(part.measure, part.index);
+    result_.measure = mean.measure();
+    result_.index = mean.mean();
     result_.complete = result_.index.width() <= query_.accuracy;
     result_.seconds = seconds();
   }
@@ -228,6 +191,19 @@ void ConditioningQuery::validate(Problems& problems) const
 {
   validatePositive("accuracy", accuracy, "(a conditioning index, without unit)", problems);
   budget.validate(problems);
+  if (max_memory != 0 && max_memory < LEAST_MEMORY)
+    problems.push_back("max_memory = " + std::to_string(max_memory) + " bytes must be at least " +
+                       std::to_string(LEAST_MEMORY) + ", or 0 for no limit");
+}
+
+std::string remarkOn(const GlobalConditioning& found)
+{
+  if (found.index.upper() == 0.0)
+    return "The struts reach no point of it, where the index is taken for 0.";
+  if (found.complete)
+    return "";
+  return found.out_of_memory ? "The accuracy was not met: the memory for boxes ended it."
+                             : "The accuracy was not met: a limit ended it, or the set has no proved volume.";
 }
 
 GlobalConditioning globalConditioning(const Machine& machine, const BoxClassifier& set, const Box& box,

@@ -37,8 +37,9 @@ void requireUnused(const Request& request, Problems& problems)
 
 std::string sentence(const GlobalConditioning& found)
 {
+  const std::string remark = remarkOn(found);
   return "global conditioning index from " + bracket(found.index.lower(), found.index.upper()) +
-         (found.complete ? ", to the accuracy asked for" : ": a limit or the size of the set ended it early");
+         (remark.empty() ? ", to the accuracy asked for" : ". " + remark);
 }
 }  // namespace
 
@@ -63,6 +64,7 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.budget.threads = node.threads;
   query.budget.time_limit = valueOr(request.time_limit, node.time_limit);
+  query.max_memory = context_.parameters.max_memory;
   requireTimeLimit(query.budget.time_limit, node.time_limit, problems);
   query.validate(problems);
   if (of_region)
@@ -70,6 +72,7 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   throwProblems(problems);
   const StopFlag stop = context_.worker.makeStopFlag();
   query.budget.stop = stop.get();
+  ROS_INFO_NAMED("server", "computing: global conditioning index");
   GlobalConditioning found;
   if (of_region)
   {

@@ -43,9 +43,24 @@ class Conditioning(AnalysisTest):
         stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--max-boxes", 100)
         self.assertFalse(stopped["complete"])
 
+    def test_the_memory_is_a_limit(self):
+        words = ("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", "1e-9", "--max-memory", "50000")
+        answer = self.answer(*words)
+        self.assertFalse(answer["complete"])
+        self.assertIn("the memory for boxes ended it", self.text(*words))
+
+    def test_out_of_reach_it_is_0(self):
+        words = ("conditioning", "--urdf", ORTHOGLIDE, "--shape", "sphere", "--center", "9", "9", "9", "--size", "0.1",
+                 "--max-boxes", "20000")
+        answer = self.answer(*words)
+        self.assertTrue(answer["complete"])
+        self.assertEqual(answer["index"], [0, 0])
+        self.assertIn("The struts reach no point of it", self.text(*words))
+
     def test_refusals(self):
         for words, reason in (((*CUBE[:-2],), "--center and --size go together"),
                               (("--shape", "sphere"), "--shape needs --center and --size"),
+                              ((*CUBE, "--max-memory", "4095"), "max-memory 4095: must be at least 4096 bytes"),
                               ((*CUBE, "--accuracy", "0"), "accuracy.*> 0"),
                               ((*CUBE[:-1], "-1"), "size.*> 0 m")):
             self.assertRefused(reason, "conditioning", "--urdf", ORTHOGLIDE, *words)

@@ -27,7 +27,7 @@ OPTIONS = {
     "singularities": MACHINE | (BUDGET - {"progress"}) | COMMON
     | {"shape", "proportions", "ratio", "center", "size", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON
-    | {"shape", "proportions", "ratio", "center", "size", "accuracy"},
+    | {"shape", "proportions", "ratio", "center", "size", "accuracy", "max-memory"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -123,13 +125,73 @@ TEST(GlobalConditioning, doesNotDependOnThreadsAndHeedsItsBudget)
   EXPECT_FALSE(intersection(stopped.index, one.index).isEmpty());
 }
 
+TEST(GlobalConditioning, isZeroOutOfReachAndSoAtOnce)
+{
+  const Eigen::Vector3d center = Eigen::Vector3d::Constant(9.0);
+  const BoxClassifier ball = [&center](const Box& box) {
+    const bool is_beside = ((box.lower - center).array() > 0.1).any() || ((center - box.upper).array() > 0.1).any();
+    const double reach = (box.center() - center).norm() + (box.upper - box.lower).norm();
+    return is_beside ? BoxVerdict::OUTSIDE : reach < 0.1 ? BoxVerdict::INSIDE : BoxVerdict::UNDECIDED;
+  };
+  const Eigen::Vector3d radii = Eigen::Vector3d::Constant(0.1);
+  ConditioningQuery query;
+  query.budget.max_boxes = 20000;
+  const GlobalConditioning result = globalConditioning(orthoglide(), ball, { center - radii, center + radii }, query);
+  EXPECT_TRUE(result.complete) << result.boxes;
+  EXPECT_EQ(Interval(0.0), result.index);
+}
+
+TEST(GlobalConditioning, keepsToItsMemory)
+{
+  const Box box{ Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2) };
+  ConditioningQuery query;
+  const GlobalConditioning enough = globalConditioning(orthoglide(), everything, box, query);
+  EXPECT_FALSE(enough.out_of_memory);
+  query.accuracy = 1e-9;
+  query.budget.max_boxes = 1000000;
+  std::int64_t last = 0;
+  for (const std::int64_t memory : { 4096, 65536, 262144 })
+  {
+    query.max_memory = memory;
+    const GlobalConditioning full = globalConditioning(orthoglide(), everything, box, query);
+    EXPECT_TRUE(full.out_of_memory);
+    EXPECT_FALSE(full.complete);
+    EXPECT_GT(full.boxes, last);
+    // all boxes that are kept came from a bisection: there are twice as many looks, and one
+    EXPECT_LE((full.boxes + 1) / 2 * static_cast<std::int64_t>(sizeof(Box)), memory);
+    EXPECT_FALSE(intersection(full.index, enough.index).isEmpty());
+    last = full.boxes;
+  }
+}
+
+TEST(GlobalConditioning, endsWhereItIsStopped)
+{
+  std::atomic<bool> stop(false);
+  std::atomic<int> looks(0);
+  const BoxClassifier stopping = [&](const Box&) {
+    stop = ++looks >= 5000;
+    return BoxVerdict::INSIDE;
+  };
+  ConditioningQuery query;
+  query.accuracy = 1e-12;
+  query.budget.stop = &stop;
+  const Box box{ Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2) };
+  const GlobalConditioning stopped = globalConditioning(orthoglide(), stopping, box, query);
+  EXPECT_FALSE(stopped.complete);
+  EXPECT_FALSE(stopped.out_of_memory);
+  EXPECT_LE(looks, 5000 + 128);
+  EXPECT_LT(stopped.index.width(), 0.1);
+}
+
 TEST(GlobalConditioning, refusesWhatIsOutOfRange)
 {
   ConditioningQuery query;
   query.accuracy = 0.0;
+  query.max_memory = 4095;
   const Box reversed{ Eigen::Vector3d::Constant(1.0), Eigen::Vector3d::Constant(-1.0) };
   const auto compute = [&] { globalConditioning(orthoglide(), everything, reversed, query); };
   test::expectThrow<std::invalid_argument>(compute, "accuracy = 0 .*must be positive");
+  test::expectThrow<std::invalid_argument>(compute, "max_memory = 4095 bytes must be at least 4096");
   test::expectThrow<std::invalid_argument>(compute, "box x = \\[1, -1\\] m");
 }
 }  // namespace pkm_workspace

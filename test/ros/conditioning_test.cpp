@@ -42,6 +42,21 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
   EXPECT_LT(set.index.upper, 0.55);
 }
 
+TEST(ComputeConditioning, tellsThatNoPointIsReached)
+{
+  Request request;
+  request.over = Request::REGION;
+  request.solid.type = shape_msgs::SolidPrimitive::SPHERE;
+  request.solid.dimensions = { 0.1 };
+  request.center.x = request.center.y = request.center.z = 9.0;
+  const auto beyond = call<ComputeConditioning>("compute_conditioning", request);
+  ASSERT_EQ(ErrorCode::SUCCESS, beyond.error_code) << beyond.message;
+  EXPECT_TRUE(beyond.complete);
+  EXPECT_EQ(0.0, beyond.index.upper);
+  EXPECT_LT(beyond.boxes, 20000);
+  EXPECT_NE(std::string::npos, beyond.message.find("The struts reach no point of it")) << beyond.message;
+}
+
 TEST(ComputeConditioning, refusesWhatIsOutOfRangeOrWithoutEffect)
 {
   Request request = overCube();

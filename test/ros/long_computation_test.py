@@ -11,7 +11,7 @@ import rospy
 import rostest
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 from pkm_workspace.msg import CriterionRequest, ErrorCode, Region, RegionRequest
-from pkm_workspace.srv import ComputeLargestRegion, GetRegion, SetCriterion
+from pkm_workspace.srv import ComputeConditioning, ComputeLargestRegion, GetRegion, SetCriterion
 
 # Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
 ENDLESS = {"shape": "square", "joint_limits": True, "accuracy": 1e-14}
@@ -33,6 +33,11 @@ def ask_for_the_endless():
     compute = service("compute_largest_region", ComputeLargestRegion)
     with contextlib.suppress(rospy.ServiceException):  # the node may end before it has answered
         compute(RegionRequest(accuracy=1e-14, criterion=CriterionRequest(joint_limits=CriterionRequest.ON)))
+
+
+def ask_for_the_endless_mean():
+    with contextlib.suppress(rospy.ServiceException):
+        service("compute_conditioning", ComputeConditioning)(accuracy=1e-12)
 
 
 class LongComputationTest(unittest.TestCase):
@@ -63,6 +68,23 @@ class LongComputationTest(unittest.TestCase):
             wait_until(lambda: get_region().error_code == ErrorCode.SUCCESS)
             region = get_region().region
             self.assertEqual((Region.PROVEN, False), (region.status, region.hypotheses.joint_limits))
+
+    def test_an_interrupt_ends_a_mean_over_millions_of_boxes(self):
+        with NodeProcess(urdf("orthoglide"), {"time_limit": 86400}) as node:
+            endless = threading.Thread(target=ask_for_the_endless_mean, daemon=True)
+            endless.start()
+            node.wait_for_output("computing: global conditioning index")
+            node.interrupt()
+            self.assertEqual(0, node.wait()[0])
+            endless.join(PATIENCE)
+            self.assertFalse(endless.is_alive())
+
+    def test_the_memory_of_the_node_ends_a_mean(self):
+        with NodeProcess(urdf("orthoglide"), {"time_limit": 86400, "max_memory": 1000000}):
+            response = service("compute_conditioning", ComputeConditioning)(accuracy=1e-9)
+            self.assertEqual((ErrorCode.SUCCESS, False), (response.error_code, response.complete))
+            self.assertRegex(response.message, "the memory for boxes ended it")
+            self.assertLess(0.0, response.index.lower)
 
     def test_get_region_answers_while_a_request_is_computed(self):
         with NodeProcess(urdf("uranesx"), {"shape": "square", "time_limit": 86400}) as node:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "pkm_workspace/dexterity/region_check.h"
 
@@ -21,8 +22,11 @@ ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box
 /// What ends the computation. Values with defaults; validate() tells what is wrong.
 struct ConditioningQuery
 {
+  static constexpr std::int64_t LEAST_MEMORY = 4096;
+
   double accuracy = 1e-2;  ///< wanted width of the enclosure, without unit; > 0
   Budget budget;
+  std::int64_t max_memory = 0;  ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
 
   void validate(Problems& problems) const;
 };
@@ -30,13 +34,18 @@ struct ConditioningQuery
 /// The global conditioning index: the mean of 1 / kappa over a set (Gosselin and Angeles 1991).
 struct GlobalConditioning
 {
-  Interval index;     ///< encloses it; [0, 1] where the set is not proved to have a volume
+  Interval index;     ///< encloses it; [0, 1] where the set is not proved to have a volume, [0, 0] out of reach
   Interval measure;   ///< encloses the volume of the set [m^3]; of flat sets the area [m^2], of lines the length [m]
   int dimension = 3;  ///< of the set: 3, or how many sides of its box have a width
-  std::int64_t boxes = 0;  ///< boxes looked at
-  bool complete = false;   ///< the accuracy was met
+  std::int64_t boxes = 0;      ///< boxes looked at
+  bool complete = false;       ///< the accuracy was met
+  bool out_of_memory = false;  ///< the memory ended it
   double seconds = 0.0;
 };
+
+/// One sentence for people where there is more to tell than numbers: all is out of reach, or what kept the accuracy
+/// from being met; otherwise empty.
+std::string remarkOn(const GlobalConditioning& found);
 
 /// Encloses the global conditioning index over the part of a box that belongs to a set. Divides boxes where most is
 /// still uncertain, until the accuracy is met or the budget ends.
