@@ -161,8 +161,8 @@ ShapePtr makeBox(const Eigen::Vector3d& proportions)
 {
   const bool finite = proportions.allFinite() && (proportions.array() >= 0.0).all();
   // halves and products with sizes have to stay ordinary numbers
-  const bool ordinary = finite && proportions.maxCoeff() > 1e-100 && proportions.maxCoeff() < 1e100 &&
-                        (proportions.array() == 0.0 || proportions.array() > 1e-100).all();
+  const bool ordinary = finite && proportions.maxCoeff() >= 1e-100 && proportions.maxCoeff() <= 1e100 &&
+                        (proportions.array() == 0.0 || proportions.array() >= 1e-100).all();
   if (!ordinary)
   {
     std::ostringstream text;

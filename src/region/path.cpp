@@ -13,9 +13,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Coordinates beyond this are no machine's; their squares and cubes stay ordinary numbers.
-constexpr double FARTHEST = 1e9;
-
 /// A point to be told of.
 struct Named
 {
@@ -107,7 +104,8 @@ Circle circleThrough(const Vector3d& start, const Vector3d& via, const Vector3d&
   const Interval least = sqr(Interval(ARC_LEAST_SINE)) * squaredNorm(b) * squaredNorm(c);
   if (!(square.lower() > least.upper()))
     checks.add() << Named{ "start", start } << ", " << Named{ "via", via } << " and " << Named{ "end", end }
-                 << " must be three points that are not on a line";
+                 << " must be farther off a line: the sine of the angle at the start has to be more than "
+                 << exact(ARC_LEAST_SINE);
   checks.throwIfAny();
   const IntervalVector to_center = squaredNorm(c) * cross(normal, b) + squaredNorm(b) * cross(c, normal);
   const IntervalVector offset = (Interval(0.5) / square) * to_center;

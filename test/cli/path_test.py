@@ -70,7 +70,7 @@ class Path(CommandTest):
         file = self.file("bad.txt", "line 1 2 3\nstart 0 0 0\nspline 1\nline 1 2\narc 1 0 0 2 0 0\nline x 0 0\n")
         text = self.refused("--file", file)
         for phrase in ("bad.txt:1: a path begins with start", "bad.txt:3: 'spline' is none of start, line, arc",
-                       "bad.txt:4: line needs 3 numbers, got 2", "bad.txt:5: arc: .*must be three points that are not",
+                       "bad.txt:4: line needs 3 numbers, got 2", "bad.txt:5: arc: .*must be farther off a line",
                        "bad.txt:6: .*x"):
             self.assertRegex(text, phrase)
         self.assertRegex(self.refused(), "a path is missing")

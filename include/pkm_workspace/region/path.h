@@ -7,9 +7,11 @@
 
 namespace pkm_workspace
 {
+/// Coordinates beyond this are no machine's [m]; their squares and cubes stay ordinary numbers.
+constexpr double FARTHEST = 1e9;
 /// How far the given end of an arc may be from the arc [m]; see PathSegment::arc.
 constexpr double ARC_MISMATCH = 1e-5;
-/// Three points of an arc must not be on a line: least sine of the angle at its start.
+/// Three points of an arc must not be on a line: the sine of the angle at its start is more than this.
 constexpr double ARC_LEAST_SINE = 1e-6;
 /// Most turns of one segment [rad].
 constexpr double ARC_LARGEST_ANGLE = 1e4;
