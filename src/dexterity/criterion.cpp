@@ -7,15 +7,21 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "pkm_workspace/text.h"
+
 namespace pkm_workspace
 {
 void throwProblems(const Problems& problems)
 {
+  constexpr std::size_t MOST_PROBLEMS = 20;
+  constexpr std::size_t LONGEST_PROBLEM = 4000;
   if (problems.empty())
     return;
   std::string text;
-  for (const auto& problem : problems)
-    text += (text.empty() ? "" : "\n") + problem;
+  for (std::size_t k = 0; k < std::min(MOST_PROBLEMS, problems.size()); ++k)
+    text += (text.empty() ? "" : "\n") + shortened(problems[k], LONGEST_PROBLEM);
+  if (problems.size() > MOST_PROBLEMS)
+    text += "\nand " + std::to_string(problems.size() - MOST_PROBLEMS) + " more";
   throw std::invalid_argument(text);
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace pkm_workspace
+{
+/// Leaves the middle of a text away where it has more than @p most bytes, and says how much: what is told of an input
+/// does not grow with it. Characters of UTF-8 stay whole.
+std::string shortened(const std::string& text, std::size_t most);
+}  // namespace pkm_workspace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/text.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+bool beginsCharacter(char byte)
+{
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+}  // namespace
+
+std::string shortened(const std::string& text, std::size_t most)
+{
+  if (text.size() <= most)
+    return text;
+  std::size_t end = most / 2;
+  std::size_t begin = text.size() - most / 2;
+  while (end > 0 && !beginsCharacter(text[end]))
+    --end;
+  while (begin < text.size() && !beginsCharacter(text[begin]))
+    ++begin;
+  return text.substr(0, end) + " [" + std::to_string(begin - end) + " bytes left out] " + text.substr(begin);
+}
+}  // namespace pkm_workspace
