@@ -25,7 +25,8 @@ std::vector<FramedMachine> readMachines(const std::vector<std::string>& urdfs)
   if (urdfs.empty() || urdfs.size() > MOST_MACHINES)
     problems.push_back("urdfs must be from 1 to " + std::to_string(MOST_MACHINES) + ", they are " +
                        std::to_string(urdfs.size()));
-  for (std::size_t k = 0; problems.empty() && k < urdfs.size(); ++k)
+  throwProblems(problems);
+  for (std::size_t k = 0; k < urdfs.size(); ++k)
     try
     {
       const UrdfMachine urdf = readUrdf(urdfs[k]);
@@ -80,14 +81,21 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   machines.insert(machines.begin(), context_.frames.root());
   const StopFlag stop = context_.worker.makeStopFlag();
   query.budget.stop = stop.get();
+  Health::Computation done;
+  done.question = "comparison by the " + describe(query);
+  const ros::WallTime begin = ros::WallTime::now();
   for (const FramedMachine& in : machines)
   {
     const Comparison study = comparisonOf(*in.machine, query, VOLUME_ACCURACY, [](const std::string& doing) {
       ROS_DEBUG_STREAM_NAMED("server", "comparing: " << doing);
     });
     response.machines.push_back(messageOf(in, study));
+    done.stopped = done.stopped || study.region.status == LargestRegion::Status::STOPPED || !study.workspace.complete;
   }
   response.message = std::to_string(machines.size()) + " machines compared";
   ROS_INFO_STREAM_NAMED("server", response.message);
+  done.answer = response.message;
+  done.seconds = (ros::WallTime::now() - begin).toSec();
+  context_.health.noteComputation(done);
 }
 }  // namespace pkm_workspace

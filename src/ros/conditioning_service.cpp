@@ -63,9 +63,8 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   criterion.validate(problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.budget.threads = node.threads;
-  query.budget.time_limit = valueOr(request.time_limit, node.time_limit);
+  query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
   query.max_memory = context_.parameters.max_memory;
-  requireTimeLimit(query.budget.time_limit, node.time_limit, problems);
   query.validate(problems);
   if (of_region)
     requireFinite("center", fromMessage(request.center), problems);

@@ -41,7 +41,9 @@ void readShape(const RegionRequest& request, RegionQuery& query)
   std::optional<RatioRange> ratio;
   if (sides != Eigen::Vector3d::Zero())
     proportions = sides;
-  if (request.ratio_min != 0.0 || request.ratio_max != 0.0)
+  if ((request.ratio_min == 0.0) != (request.ratio_max == 0.0))
+    throw std::invalid_argument("ratio_min and ratio_max must both be given, or both be 0: one of them is 0");
+  if (request.ratio_min != 0.0)
     ratio = RatioRange{ request.ratio_min, request.ratio_max };
   if (proportions || ratio || (!request.shape.empty() && request.shape != own))
     setShape(request.shape.empty() ? own : request.shape, proportions, ratio, query);
@@ -117,9 +119,8 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
   query.criterion.aspect = aspectOf(request.aspect, problems);
   query.precision = request.multi_precision ? Precision::MULTIPLE : Precision::DOUBLE;
   query.accuracy = valueOr(request.accuracy, defaults.accuracy);
-  query.budget.time_limit = valueOr(request.time_limit, defaults.budget.time_limit);
+  query.budget.time_limit = timeLimitOf(request.time_limit, defaults.budget.time_limit, longest, problems);
   query.validate(problems);
-  requireTimeLimit(query.budget.time_limit, longest, problems);
   throwProblems(problems);
   return query;
 }

@@ -14,7 +14,7 @@ Diagnostics::Diagnostics(NodeContext& context)
   updater_.add("geometry", [this](Status& status) { tellGeometry(status); });
   updater_.add("computation", [this](Status& status) { tellComputation(status); });
   updater_.add("refusals", [this](Status& status) { tellRefusals(status); });
-  timer_ = context.node.createWallTimer(ros::WallDuration(1.0),
+  timer_ = context.node.createWallTimer(ros::WallDuration(updater_.getPeriod()),
                                         [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 

@@ -13,12 +13,6 @@ namespace
 constexpr double PATIENCE = 1.0;  // [s]
 constexpr double LOOK = 0.01;     // [s] between two looks
 
-/// tf2 knows no leading slashes.
-std::string bare(const std::string& name)
-{
-  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
-}
-
 std::string unknownFrame(const std::string& name, const std::string& root, const tf2_ros::Buffer& buffer)
 {
   std::vector<std::string> all;
@@ -34,6 +28,11 @@ std::string unknownFrame(const std::string& name, const std::string& root, const
          "', and these frames are known: " + known;
 }
 }  // namespace
+
+std::string bare(const std::string& name)
+{
+  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
+}
 
 Eigen::Isometry3d FramedMachine::toRoot() const
 {

@@ -110,6 +110,13 @@ bool readMemory(const XmlRpcValue& value, std::int64_t& target)
   return true;
 }
 
+/// Only looks at it: the updater of diagnostics reads it by itself.
+bool isPeriod(const XmlRpcValue& value)
+{
+  double seconds = 0.0;
+  return read(value, seconds) && seconds >= 0.01 && seconds <= 3600.0;
+}
+
 struct Entry
 {
   std::string expected;
@@ -159,6 +166,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "max_memory",
       { "a whole number of bytes, 4096 to 2147483647",
         [&parameters](const XmlRpcValue& value) { return readMemory(value, parameters.max_memory); } } },
+    { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };
 }
@@ -166,7 +174,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
 /// Parameters that belong to others and may be private all the same.
 bool isForeign(const std::string& name)
 {
-  return name == "robot_description" || name == "tf_prefix" || name == "diagnostic_period";
+  return name == "robot_description" || name == "tf_prefix";
 }
 
 void readTable(const Table& table, const XmlRpcValue& values, Problems& problems)

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/ros/verdict_message.h"
 
@@ -92,8 +93,9 @@ std::vector<PathSegment> segmentsOf(const CheckPath::Request& request)
 
 std::string frameOf(const CheckPath::Request& request)
 {
-  std::string frame = request.header.frame_id;
-  const auto require = [&frame](const std::string& other) {
+  std::string frame = bare(request.header.frame_id);
+  const auto require = [&frame](const std::string& name) {
+    const std::string other = bare(name);
     if (frame.empty())
       frame = other;
     else if (!other.empty() && other != frame)

@@ -15,9 +15,12 @@ void readMemory(const PavingRequest& request, const Parameters& parameters, Pavi
 {
   const std::int64_t most = parameters.max_memory;
   query.max_memory = request.max_memory == 0 ? most : request.max_memory;
-  if (query.max_memory > most)
-    problems.push_back("max_memory = " + std::to_string(query.max_memory) +
-                       " bytes must be at most the node's ~max_memory, " + std::to_string(most) + " bytes");
+  if (query.max_memory >= PavingQuery::LEAST_MEMORY && query.max_memory <= most)
+    return;
+  problems.push_back("max_memory = " + std::to_string(query.max_memory) + " bytes must be from " +
+                     std::to_string(PavingQuery::LEAST_MEMORY) + " to the node's ~max_memory, " + std::to_string(most) +
+                     " bytes, or 0 for that");
+  query.max_memory = most;
 }
 
 void add(const BoxTree& tree, CellState state, BoxList& list)
@@ -51,8 +54,7 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   query.criterion.aspect = aspectOf(request.aspect, problems);
   query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
   query.budget = parameters.query.budget;
-  query.budget.time_limit = valueOr(request.time_limit, parameters.query.budget.time_limit);
-  requireTimeLimit(query.budget.time_limit, longest, problems);
+  query.budget.time_limit = timeLimitOf(request.time_limit, query.budget.time_limit, longest, problems);
   readMemory(request, parameters, query, problems);
   if (request.max_listed < 0)
     problems.push_back("max_listed = " + std::to_string(request.max_listed) + " must be >= 0");

@@ -98,8 +98,8 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
   ROS_INFO_STREAM_NAMED("server", "computing: " << describe(question.query));
   const Answer answer{ question, findLargestRegion(*question.in.machine, question.query) };
   ROS_INFO_STREAM_NAMED("server", summary(answer));
-  const bool stopped = !*stop && answer.region.status == LargestRegion::Status::STOPPED;
-  if (stopped)
+  const bool stopped = answer.region.status == LargestRegion::Status::STOPPED;
+  if (stopped && !*stop)
     ROS_WARN_STREAM_NAMED("server", "the bounds are wider than asked: " << answer.region.message);
   context_.health.noteComputation({ describe(question.query), summary(answer), answer.region.seconds, stopped });
 

@@ -3,9 +3,11 @@
 
 #include <ros/console.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "pkm_workspace/paving/range_workspace.h"
+#include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_parts.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -28,11 +30,11 @@ std::array<Interval, 3> readRanges(const Request& request, Problems& problems)
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Bounds& bounds = request.ranges[i];
-    if (std::isfinite(bounds.lower) && std::isfinite(bounds.upper) && bounds.lower <= bounds.upper)
+    if (bounds.lower >= -FARTHEST && bounds.lower <= bounds.upper && bounds.upper <= FARTHEST)
       ranges[i] = { bounds.lower, bounds.upper };
     else
       problems.push_back("ranges[" + std::to_string(i) + "] = [" + std::to_string(bounds.lower) + ", " +
-                         std::to_string(bounds.upper) + "] m must be finite, the lower end first");
+                         std::to_string(bounds.upper) + "] m must be finite, within 1e9 m, the lower end first");
   }
   return ranges;
 }
@@ -83,11 +85,24 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   return scene.array();
 }
 
+std::array<SingularityFinding, 4> findingsOf(const FindSingularities::Response& found)
+{
+  return { found.serial[0], found.serial[1], found.serial[2], found.parallel };
+}
+
+/// Whether a question is left open.
+bool isStopped(const FindSingularities::Response& found)
+{
+  const auto findings = findingsOf(found);
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const SingularityFinding& finding) { return finding.status == SingularityFinding::UNDECIDED; });
+}
+
 std::string sentence(const FindSingularities::Response& found)
 {
   int proved = 0;
   int undecided = 0;
-  for (const SingularityFinding& finding : { found.serial[0], found.serial[1], found.serial[2], found.parallel })
+  for (const SingularityFinding& finding : findingsOf(found))
   {
     proved += finding.status == SingularityFinding::PROVED ? 1 : 0;
     undecided += finding.status == SingularityFinding::UNDECIDED ? 1 : 0;
@@ -133,8 +148,7 @@ SingularityService::Question SingularityService::read(const Request& request) co
   question.query.accuracy = valueOr(request.accuracy, question.query.accuracy);
   const Budget& node = context_.parameters.query.budget;
   question.query.budget.threads = node.threads;
-  question.query.budget.time_limit = valueOr(request.time_limit, node.time_limit);
-  requireTimeLimit(question.query.budget.time_limit, node.time_limit, problems);
+  question.query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
   question.query.validate(problems);
   throwProblems(problems);
   return question;
@@ -159,7 +173,7 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
   response.seconds = found.seconds;
   response.message = sentence(response);
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
-  context_.health.noteComputation({ "singularities", response.message, found.seconds, false });
+  context_.health.noteComputation({ "singularities", response.message, found.seconds, isStopped(response) });
   markers_.publish(markersOf(response, *question.in.machine));
 }
 }  // namespace pkm_workspace

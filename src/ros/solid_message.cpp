@@ -6,11 +6,16 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/region/path.h"
+
 namespace pkm_workspace
 {
 namespace
 {
 using shape_msgs::SolidPrimitive;
+
+/// Products with sizes have to stay ordinary numbers [m].
+constexpr double LEAST_LENGTH = 1e-100;
 
 void requireDimensions(const SolidPrimitive& message, const char* meaning, std::size_t count)
 {
@@ -21,13 +26,13 @@ void requireDimensions(const SolidPrimitive& message, const char* meaning, std::
   text.precision(17);
   for (const double length : dimensions)
   {
-    is_good = is_good && length >= 0.0 && std::isfinite(length);
+    is_good = is_good && (length == 0.0 || (length >= LEAST_LENGTH && length <= FARTHEST));
     is_point = is_point && length == 0.0;
     text << (text.tellp() == std::streampos(0) ? "" : ", ") << length;
   }
   if (!is_good || is_point)
     throw std::invalid_argument("solid.dimensions = (" + text.str() + ") m must be " + meaning +
-                                ", finite, >= 0 and not all 0");
+                                ", each 0 or from 1e-100 to 1e9, not all 0");
 }
 
 Solid cylinder(double height, double radius)
@@ -69,10 +74,10 @@ Bounds toMessage(const Interval& interval)
 
 void requireFinite(const char* name, const Eigen::Vector3d& point, Problems& problems)
 {
-  if (point.allFinite())
+  if (point.allFinite() && point.cwiseAbs().maxCoeff() <= FARTHEST)
     return;
   std::ostringstream text;
-  text << name << " = (" << point.x() << ", " << point.y() << ", " << point.z() << ") m must be finite";
+  text << name << " = (" << point.x() << ", " << point.y() << ", " << point.z() << ") m must be finite, within 1e9 m";
   problems.push_back(text.str());
 }
 }  // namespace pkm_workspace

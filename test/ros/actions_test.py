@@ -3,6 +3,7 @@
 """Goals of both actions: their feedback, what is left of them when they are cancelled, and who comes first."""
 
 import threading
+import time
 import unittest
 
 import actionlib
@@ -11,6 +12,7 @@ import roslib.message
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceGoal, CriterionRequest, ErrorCode,
                                FindLargestRegionAction, FindLargestRegionGoal, PavingRequest, Region, RegionRequest,
                                Workspace)
@@ -64,6 +66,15 @@ class ActionsTest(unittest.TestCase):
         self.assertTrue(client.wait_for_result(LONG))
         return client.get_result()
 
+    def diagnosis(self, question):
+        """The status of the last computation, once it is that question."""
+        deadline = time.monotonic() + PATIENCE
+        while time.monotonic() < deadline:
+            for status in rospy.wait_for_message("/diagnostics", DiagnosticArray, PATIENCE).status:
+                if any(value.key == "question" and question in value.value for value in status.values):
+                    return status
+        raise AssertionError(f"no diagnosis of {question}")
+
     def start(self, client, goal, fits):
         feedback = Feedback(client, goal, fits)
         self.assertTrue(feedback.there.wait(PATIENCE), "no feedback came")
@@ -92,6 +103,7 @@ class ActionsTest(unittest.TestCase):
         self.assertEqual(Region.STOPPED, result.region.status)
         self.assertGreaterEqual(result.region.size, feedback.size)
         self.assertLessEqual(result.region.size_upper_bound, feedback.size_upper_bound)
+        self.assertEqual(DiagnosticStatus.WARN, self.diagnosis("accuracy 1e-14").level)
 
     def test_a_new_goal_preempts_older_ones(self):
         running, waiting, last = finder(), finder(), finder()
@@ -108,6 +120,8 @@ class ActionsTest(unittest.TestCase):
     def test_refuses_bad_goals(self):
         for client, goal, message in [
             (finder(), FindLargestRegionGoal(RegionRequest(accuracy=-1.0)), "accuracy = -1"),
+            (finder(), FindLargestRegionGoal(RegionRequest(time_limit=86401.0)),
+             "time_limit = 86401 s must be positive and at most 86400 s, or 0 for the node's ~time_limit, 60 s"),
             (paver(), ApproximateWorkspaceGoal(PavingRequest(aspect=3)), "aspect = 3 must be OWN"),
         ]:
             client.send_goal(goal)

@@ -39,6 +39,15 @@ TEST(CompareMachines, tellsTheNodesMachineBesideAnother)
   EXPECT_EQ(own.figures.size(), compared.machines[1].figures.size());
 }
 
+TEST(CompareMachines, namesEachOneThatIsNone)
+{
+  CompareMachines::Request request;
+  request.urdfs = { "<robot name='none'/>", writeUrdf(orthoglide()), "<robot" };
+  const auto refused = call<CompareMachines>("compare_machines", request);
+  EXPECT_NE(std::string::npos, refused.message.find("urdfs[0]: ")) << refused.message;
+  EXPECT_NE(std::string::npos, refused.message.find("urdfs[2]: ")) << refused.message;
+}
+
 TEST(CompareMachines, refusesWhatIsNoMachineByItsPlace)
 {
   CompareMachines::Request request;

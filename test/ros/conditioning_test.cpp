@@ -57,6 +57,18 @@ TEST(ComputeConditioning, tellsThatNoPointIsReached)
   EXPECT_NE(std::string::npos, beyond.message.find("The struts reach no point of it")) << beyond.message;
 }
 
+TEST(ComputeConditioning, takesACylinderWithoutARadiusForTheLineThatItIs)
+{
+  Request request = overCube();
+  request.solid.dimensions = { 0.0, 0.0, 0.3 };
+  const auto line = call<ComputeConditioning>("compute_conditioning", request);
+  request.solid.type = shape_msgs::SolidPrimitive::CYLINDER;
+  request.solid.dimensions = { 0.3, 0.0 };
+  const auto thin = call<ComputeConditioning>("compute_conditioning", request);
+  EXPECT_EQ(line.index, thin.index);
+  EXPECT_NEAR(0.3, thin.measure.lower, 1e-12);
+}
+
 TEST(ComputeConditioning, refusesWhatIsOutOfRangeOrWithoutEffect)
 {
   Request request = overCube();

@@ -8,6 +8,7 @@
 #include <ros/ros.h>
 #include <ros/topic.h>
 
+#include <functional>
 #include <string>
 
 namespace pkm_workspace
@@ -44,6 +45,18 @@ boost::shared_ptr<const Message> receive(const std::string& name)
   const auto message = ros::topic::waitForMessage<Message>(name, PATIENCE);
   EXPECT_TRUE(message) << "nothing came on " << name;
   return message ? message : boost::make_shared<const Message>();
+}
+
+/// Waits for a message that fits. @return the last one that came
+template <class Message>
+boost::shared_ptr<const Message> await(const std::string& topic, const std::function<bool(const Message&)>& fits)
+{
+  const ros::Time deadline = ros::Time::now() + PATIENCE;
+  auto message = receive<Message>(topic);
+  while (!fits(*message) && ros::Time::now() < deadline)
+    message = receive<Message>(topic);
+  EXPECT_TRUE(fits(*message)) << *message;
+  return message;
 }
 }  // namespace test
 }  // namespace pkm_workspace

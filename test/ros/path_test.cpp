@@ -120,6 +120,17 @@ TEST(CheckPath, takesPathsOfPoses)
   EXPECT_EQ(2U, response.segment_verdicts.size());
 }
 
+TEST(CheckPath, takesAFrameWithAndWithoutItsSlash)
+{
+  Request request;
+  request.segments = { line(point(0, 0, 0), point(0.1, 0, 0)) };
+  request.header.frame_id = "/base_link";
+  request.path.header.frame_id = "base_link";
+  const auto response = call<CheckPath>("check_path", request);
+  EXPECT_EQ(Response::INSIDE, response.verdict) << response.message;
+  EXPECT_EQ("base_link", response.header.frame_id);
+}
+
 TEST(CheckPath, refusesWhatIsOutOfRange)
 {
   const auto expectRefused = [](const Request& request, const std::string& message) {
@@ -146,6 +157,10 @@ TEST(CheckPath, refusesWhatIsOutOfRange)
   two.header.frame_id = "base_link";
   two.path.header.frame_id = "elsewhere";
   expectRefused(two, "frame 'elsewhere' must be empty or that of the request");
+  ToolSegment flat = line(point(0, 0, 0), point(0.2, 0, 0));
+  flat.kind = ToolSegment::ARC_THROUGH;
+  flat.via = point(0.1, 1e-8, 0);
+  expectRefused(with(flat), "must be farther off a line: the sine .* more than 1e-06");
 }
 
 TEST(EvaluatePoint, tellsHowTheMachineStands)
@@ -169,6 +184,9 @@ TEST(EvaluatePoint, tellsHowTheMachineStands)
   EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, stretched.verdict);
   EXPECT_EQ(EvaluatePoint::Response::INSIDE, stretched.reachable);
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, evaluate(std::nan(""), 0.0, 0.0).error_code);
+  const auto beyond = evaluate(1e160, 0.0, 0.0);
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, beyond.error_code);
+  EXPECT_NE(std::string::npos, beyond.message.find("point = (1e+160, 0, 0) m must be finite, within 1e9 m"));
 }
 }  // namespace test
 }  // namespace pkm_workspace

@@ -96,6 +96,15 @@ TEST(CheckRegion, refusesWhatIsOutOfRange)
     { [](Request& r) { r.solid = shape_msgs::SolidPrimitive(); }, "solid.type = 0 must be BOX = 1" },
     { [](Request& r) { r.solid.type = 2; }, "solid.dimensions = .* must be one radius" },
     { [](Request& r) { r.solid.dimensions[2] = std::nan(""); }, "solid.dimensions = .*nan.* must be three full sides" },
+    { [](Request& r) { r.solid.dimensions[0] = 1e200; },
+      "solid.dimensions = .* three full sides, each 0 or from 1e-100 to 1e9" },
+    { [](Request& r) { r.solid.dimensions[0] = 1e-300; }, "solid.dimensions = .* each 0 or from 1e-100 to 1e9" },
+    { [](Request& r) {
+       r.solid.type = shape_msgs::SolidPrimitive::SPHERE;
+       r.solid.dimensions = { 1e308 };
+     },
+      "solid.dimensions = .* one radius, each 0 or from 1e-100 to 1e9" },
+    { [](Request& r) { r.center.x = 1e155; }, "center = \\(1e\\+155, .* must be finite, within 1e9 m" },
     { [](Request& r) { r.center.y = std::nan(""); }, "center = .*nan.* must be finite" },
     { [](Request& r) { r.criterion.psi_min = -1.0; }, "psi_min = -1" },
     { [](Request& r) { r.max_boxes = -1; }, "max_boxes = -1" },

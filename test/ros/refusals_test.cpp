@@ -76,7 +76,8 @@ const BadRequest BAD_REQUESTS[] = {
   { "kappa_max below 1", [](auto& q) { q.criterion.kappa_max = 0.5; }, "kappa_max = 0.5 .*must be" },
   { "joint limits neither on nor off", [](auto& q) { q.criterion.joint_limits = 3; },
     "joint_limits = 3 must be DEFAULT = 0, ON = 1 or OFF = 2" },
-  { "time limit above the ceiling", [](auto& q) { q.time_limit = 61.0; }, "time_limit = 61 s must be at most.* 60 s" },
+  { "time limit above the ceiling", [](auto& q) { q.time_limit = 61.0; },
+    "time_limit = 61 s must be positive and at most the node's ~time_limit, 60 s, or 0 for it" },
   { "negative time limit", [](auto& q) { q.time_limit = -1.0; }, "time.limit = -1 s must be positive" },
   { "infinite time limit", [](auto& q) { q.time_limit = INF; }, "time.limit = inf s must be" },
   { "corners without a search box", [](auto& q) { q.max_corner.x = 1.0; },
@@ -92,7 +93,19 @@ const BadRequest BAD_REQUESTS[] = {
       q.use_search_box = true;
       q.min_corner.x = NAN_VALUE;
     },
-    "search.box x = \\[nan, 0\\] m" },
+    "min_corner = \\(nan, 0, 0\\) m must be finite, within 1e9 m" },
+  { "search box beyond all machines",
+    [](auto& q) {
+      q.use_search_box = true;
+      q.max_corner.x = 1e10;
+    },
+    "max_corner = \\(1e\\+10, 0, 0\\) m must be finite, within 1e9 m" },
+  { "half a ratio",
+    [](auto& q) {
+      q.shape = "cylinder";
+      q.ratio_max = 2.0;
+    },
+    "ratio_min and ratio_max must both be given" },
   { "frame that is not known", [](auto& q) { q.header.frame_id = "nowhere"; },
     "frame_id = 'nowhere' is not known to tf; empty stands for 'base_link'", ErrorCode::UNKNOWN_FRAME },
 };

@@ -96,14 +96,14 @@ TEST(FindSingularities, refusesWhatIsOutOfRange)
     { [](Request& r) { r.ranges[1].upper = 1.0; }, "ranges must be 0 .*unless over = JOINT_RANGES" },
     { [](Request& r) { r.aspect = 3; }, "aspect = 3 must be OWN" },
     { [](Request& r) { r.accuracy = -1.0; }, "accuracy = -1" },
-    { [](Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be at most" },
+    { [](Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be positive and at most" },
     { [](Request& r) { r.solid.type = 4; }, "solid.type = 4 must be BOX = 1" },
     { [](Request& r) { r.solid.dimensions.pop_back(); }, "solid.dimensions = .* must be three full sides" },
     { [](Request& r) {
        r.solid.dimensions = { 0.0, 0.0, 0.0 };
      },
       "solid.dimensions = \\(0, 0, 0\\) m must be" },
-    { [](Request& r) { r.solid.dimensions[0] = -1.0; }, "solid.dimensions = \\(-1, .* >= 0" },
+    { [](Request& r) { r.solid.dimensions[0] = -1.0; }, "solid.dimensions = \\(-1, .* each 0 or from 1e-100 to 1e9" },
     { [](Request& r) { r.center.z = std::numeric_limits<double>::infinity(); }, "center = .* m must be finite" },
   };
   for (const Case& bad : cases)

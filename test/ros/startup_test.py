@@ -3,11 +3,13 @@
 """A bad parameter or a bad URDF ends the node, before it computes, with a FATAL line that says why."""
 
 import re
+import threading
 import unittest
 
 import rospy
 import rostest
-from node_process import NAME, NodeProcess, urdf
+from diagnostic_msgs.msg import DiagnosticArray
+from node_process import NAME, PATIENCE, NodeProcess, urdf
 
 NAN = float("nan")
 
@@ -34,6 +36,8 @@ BAD_PARAMETERS = [
     ({"threads": 0}, r"threads = 0 .*1"),
     ({"threads": 1.5}, r"threads = 1.5 must be a whole number >= 1"),
     ({"paving_resolution": -1.0}, r"paving_resolution = -1 m must be >= 0"),
+    ({"diagnostic_period": 0}, r"diagnostic_period = 0 must be a number from 0.01 to 3600 \[s\]"),
+    ({"diagnostic_period": "often"}, r"diagnostic_period = often must be a number from"),
     ({"rails": "rail_x"}, r"rails = rail_x must be a list of three names"),
     ({"rails": ["rail_x", "rail_y", "elbow"]}, r"elbow"),
     ({"psi_mim": 0.4}, r"psi_mim = 0.4 is not a parameter of this node; these are: accuracy, "),
@@ -73,6 +77,22 @@ class StartupTest(unittest.TestCase):
     def test_refuses_what_has_no_bounded_answer(self):
         # a segment along parallel rails can be as long as one likes
         self.expect_refusals([(urdf("uranesx"), {"shape": "box", "proportions": [0, 0, 1]}, r"along the rails")])
+
+    def test_diagnostics_come_as_often_as_asked(self):
+        stamps = []
+        enough = threading.Event()
+
+        def note(message):
+            stamps.append(message.header.stamp.to_sec())
+            if len(stamps) >= 60:
+                enough.set()
+
+        with NodeProcess(urdf("orthoglide"), {"diagnostic_period": 0.02}):
+            subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, note)
+            self.assertTrue(enough.wait(PATIENCE))
+            subscriber.unregister()
+        gaps = sorted(after - before for before, after in zip(stamps, stamps[1:]))
+        self.assertLess(gaps[len(gaps) // 2], 0.5, gaps)  # the median: by itself it is 1 s
 
     def test_names_all_that_is_wrong_at_once(self):
         parameters = {"shape": "blob", "accuracy": -1.0, "typo": True}

@@ -20,7 +20,7 @@ geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
 
 /// @param defaults what fields without a value stand for
-/// @param longest the most that may be asked for as a time limit [s]; said to be the node's ~time_limit
+/// @param longest the most that may be asked for as a time limit [s]
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
 RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults, double longest);
 

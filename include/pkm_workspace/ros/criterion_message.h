@@ -25,12 +25,13 @@ inline double valueOr(double value, double fallback)
 Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems);
 
 /// The box between two corners, or none. @param flag name of the field that @p given comes from
-/// @param problems gets one sentence for corners without effect
+/// @param problems gets one sentence for each corner that is out of range or without effect
 std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
                                const geometry_msgs::Point& max_corner, const std::string& flag, Problems& problems);
 
-/// Appends one sentence for a time limit [s] above @p longest, said to be the node's ~time_limit.
-void requireTimeLimit(double time_limit, double longest, Problems& problems);
+/// The time limit of a request [s]; 0 stands for the node's. @param longest that may be asked for, at least the node's
+/// @param problems gets one sentence for what is out of range
+double timeLimitOf(double requested, double node, double longest, Problems& problems);
 
 /// @param aspect OWN = 0, OTHER = 1 or BOTH = 2, as all messages number them
 /// @param problems gets one sentence for another number

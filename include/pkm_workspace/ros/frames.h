@@ -25,6 +25,9 @@ struct FramedMachine
   Eigen::Isometry3d toRoot() const;
 };
 
+/// The name of a frame as tf2 knows it: without leading slashes.
+std::string bare(const std::string& name);
+
 /// The frames that a request may be made in: all that tf knows. Thread-safe.
 class Frames
 {

@@ -22,6 +22,6 @@ Solid fromMessage(const shape_msgs::SolidPrimitive& message);
 /// NaN twice for the empty set.
 Bounds toMessage(const Interval& interval);
 
-/// Appends one sentence unless the point is finite.
+/// Appends one sentence unless the point is finite and within FARTHEST.
 void requireFinite(const char* name, const Eigen::Vector3d& point, Problems& problems);
 }  // namespace pkm_workspace
