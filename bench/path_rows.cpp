@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-
+#include "path_problem.h"
 #include "pkm_workspace/region/path_check.h"
 #include "problem.h"
 #include "rows.h"
@@ -12,13 +11,6 @@ namespace bench
 namespace
 {
 constexpr std::size_t SEGMENTS = 10000;
-
-/// A closed curve well inside of the Orthoglide's set; s from 0 to 1.
-Eigen::Vector3d curve(double s)
-{
-  const double angle = 2.0 * s * pi().mid();
-  return { 0.05 + 0.2 * std::cos(angle), 0.05 + 0.2 * std::sin(angle), 0.05 * std::cos(3.0 * angle) };
-}
 
 /// @param make the segment from one point of the curve through the next to the one after that
 template <class Make>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints what pkm_workspace_bench measured as one table: table.py FILE.json [--markdown] [--compiler TEXT]
+"""Prints what pkm_workspace_bench measured as one table: table.py FILE.json... [--markdown] [--compiler TEXT]
 
 Times are medians of the repetitions. Fails when two rows of one case contradict each other about the largest region.
 """
@@ -77,13 +77,16 @@ def show(table, markdown):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("file", type=pathlib.Path)
+    parser.add_argument("files", type=pathlib.Path, nargs="+")
     parser.add_argument("--markdown", action="store_true")
     parser.add_argument("--compiler", default="unknown compiler")
     options = parser.parse_args()
-    measured = json.loads(options.file.read_text(encoding="utf-8"))
-    rows, baseline = list(rows_of(measured["benchmarks"])), {}
-    print(f"{processor()}, {measured['context']['num_cpus']} processors; {options.compiler}; Release; one thread but "
+    texts = [file.read_text(encoding="utf-8") for file in options.files]
+    measured = [json.loads(text) for text in texts if text]  # empty where a filter leaves nothing
+    if not measured:
+        sys.exit("nothing was measured")
+    rows, baseline = list(rows_of(run for file in measured for run in file["benchmarks"])), {}
+    print(f"{processor()}, {measured[0]['context']['num_cpus']} processors; {options.compiler}; Release; one thread but "
           "where a row says otherwise.\n")
     show([HEADINGS, *(cells(key, runs, baseline) for key, runs in rows)], options.markdown)
     print("\n" + EXPLANATION)

@@ -69,31 +69,41 @@ SineCosine::SineCosine(const Interval& angle)
   cosine = { SIGNS[(quadrant + 1) % 4] * (quadrant % 2 == 0 ? c : s), error };
 }
 
-Curve Curve::line(const IntervalVector& start, const IntervalVector& end)
-{
-  return Curve(start, end - start, IntervalVector{}, IntervalVector{}, 0.0);
-}
-
 Curve::Curve(const IntervalVector& origin, const IntervalVector& drift, const IntervalVector& u,
              const IntervalVector& w, const Interval& angle)
   : origin_(origin)
   , drift_(drift)
   , u_(u)
   , w_(w)
-  , drift_direction_(IntervalVector{})
   , angle_(angle)
   , length_(sqrt(squaredNorm(drift) + sqr(angle) * squaredNorm(u)))
 {
-  if (!length_.certainlyPositive())
-  {
-    if (length_.upper() > 0.0)  // any direction
-      drift_direction_ =
-          EnclosedVector<double>(IntervalVector{ Interval(-1.0, 1.0), Interval(-1.0, 1.0), Interval(-1.0, 1.0) });
-    return;
-  }
-  const Interval inverse = Interval(1.0) / length_;
-  drift_direction_ = EnclosedVector<double>(inverse * drift);
-  turning_ = Number(angle * inverse);
+  setDirection(drift);
+  if (length_.certainlyPositive())
+    turning_ = Number(angle * (Interval(1.0) / length_));
+}
+
+/// Paths have thousands of lines: nothing is worked out here of what turns.
+Curve::Curve(const Eigen::Vector3d& start, const IntervalVector& drift)
+  : drift_(drift), angle_(0.0), length_(sqrt(squaredNorm(drift)))
+{
+  origin_.value = { start.x(), start.y(), start.z() };
+  u_.value = w_.value = { 0.0, 0.0, 0.0 };
+  setDirection(drift);
+}
+
+Curve Curve::line(const Eigen::Vector3d& start, const Eigen::Vector3d& end)
+{
+  return Curve(start, enclose(end) - enclose(start));
+}
+
+void Curve::setDirection(const IntervalVector& drift)
+{
+  drift_direction_.value = { 0.0, 0.0, 0.0 };
+  if (length_.certainlyPositive())
+    drift_direction_ = EnclosedVector<double>((Interval(1.0) / length_) * drift);
+  else if (length_.upper() > 0.0)
+    drift_direction_.radius = 1.0;  // any direction
 }
 
 Curve::Turn::Turn(const Interval& angle, const Interval& half_angle) : middle(angle)
@@ -120,8 +130,26 @@ CurvePiece Curve::piece(double first, double last) const
 {
   const double t = 0.5 * first + 0.5 * last;
   const double h = std::max((Interval(last) - Interval(t)).upper(), (Interval(t) - Interval(first)).upper());
-  const bool is_straight = angle_ == Interval(0.0);
-  const Turn turn = is_straight ? Turn(0.0, 0.0) : Turn(angle_ * Interval(t), angle_ * Interval(h));
+  return angle_ == Interval(0.0) ? straightPiece(t, h) : turningPiece(t, h);
+}
+
+CurvePiece Curve::straightPiece(double t, double h) const
+{
+  const Number middle(t, 0.0);
+  const Number half(h, 0.0);
+  CurvePiece piece;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Number drift = number(drift_, k);
+    put(k, number(origin_, k) + middle * drift + number(u_, k), half * drift, Number(), Number(), piece.points);
+    put(k, number(drift_direction_, k), Number(), Number(), Number(), piece.tangents);
+  }
+  return piece;
+}
+
+CurvePiece Curve::turningPiece(double t, double h) const
+{
+  const Turn turn(angle_ * Interval(t), angle_ * Interval(h));
   const Number middle(t, 0.0);
   const Number half(h, 0.0);
   const Number bend(turn.bend, 0.0);
@@ -131,12 +159,6 @@ CurvePiece Curve::piece(double first, double last) const
     const Number drift = number(drift_, k);
     const Number direction = number(drift_direction_, k);
     const Number start = number(origin_, k) + middle * drift;
-    if (is_straight)
-    {
-      put(k, start + number(u_, k), half * drift, Number(), Number(), piece.points);
-      put(k, direction, Number(), Number(), Number(), piece.tangents);
-      continue;
-    }
     const Number radius = turn.middle.cosine * number(u_, k) + turn.middle.sine * number(w_, k);
     const Number tangent = turn.middle.cosine * number(w_, k) + -(turn.middle.sine * number(u_, k));
     put(k, start + turn.center * radius, half * drift + turn.along * tangent, turn.radial * radius, bend * tangent,

@@ -2,6 +2,7 @@
 #include "pkm_workspace/region/path.h"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,7 +30,7 @@ std::ostream& operator<<(std::ostream& stream, const Named& p)
 class Checks
 {
 public:
-  explicit Checks(const char* kind) : kind_(kind) { text_.precision(17); }
+  explicit Checks(const char* kind) : kind_(kind) {}
 
   Checks& point(const char* name, const Vector3d& p)
   {
@@ -49,16 +50,22 @@ public:
       add() << name << " = " << value << ' ' << unit << " must be from " << -most << " to " << most << ' ' << unit;
     return *this;
   }
-  std::ostream& add() { return text_ << (text_.tellp() > 0 ? "\n" : "") << kind_ << ": "; }
+  std::ostream& add()
+  {
+    if (text_)
+      return *text_ << '\n' << kind_ << ": ";
+    text_.emplace().precision(17);
+    return *text_ << kind_ << ": ";
+  }
   void throwIfAny() const
   {
-    if (!text_.str().empty())
-      throw std::invalid_argument(text_.str());
+    if (text_)
+      throw std::invalid_argument(text_->str());
   }
 
 private:
   const char* kind_;
-  std::ostringstream text_;
+  std::optional<std::ostringstream> text_;  ///< a stream takes longer to make than a line: only for what is wrong
 };
 
 /// A circle about an axis, with the point that it starts at.
@@ -136,7 +143,7 @@ Interval angleTo(const Circle& circle, const Vector3d& end, Checks& checks)
 PathSegment PathSegment::line(const Vector3d& start, const Vector3d& end)
 {
   Checks("line").point("start", start).point("end", end).throwIfAny();
-  return PathSegment(Curve::line(enclose(start), enclose(end)));
+  return PathSegment(Curve::line(start, end));
 }
 
 PathSegment PathSegment::arc(const Vector3d& start, const Vector3d& center, const Vector3d& axis, double angle,

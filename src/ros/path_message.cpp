@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/path_message.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -59,7 +60,7 @@ PathSegment fromSegment(const ToolSegment& segment)
 
 /// Adds what @p make makes, or why it cannot be made.
 template <class Make>
-void add(const std::string& place, const Make& make, std::vector<PathSegment>& segments, Problems& problems)
+void add(const char* list, std::size_t index, const Make& make, std::vector<PathSegment>& segments, Problems& problems)
 {
   try
   {
@@ -67,7 +68,7 @@ void add(const std::string& place, const Make& make, std::vector<PathSegment>& s
   }
   catch (const std::invalid_argument& error)
   {
-    problems.push_back(place + ": " + error.what());
+    problems.push_back(list + ("[" + std::to_string(index)) + "]: " + error.what());
   }
 }
 }  // namespace
@@ -79,14 +80,15 @@ std::vector<PathSegment> segmentsOf(const CheckPath::Request& request)
   const auto& poses = request.path.poses;
   if (poses.empty() == request.segments.empty() || poses.size() == 1)
     problems.push_back("give either segments or a path of two poses or more");
+  segments.reserve(std::max(poses.size(), request.segments.size()));
   for (std::size_t k = 0; k + 1 < poses.size(); ++k)
     add(
-        "path.poses[" + std::to_string(k + 1) + "]",
+        "path.poses", k + 1,
         [&] { return PathSegment::line(fromMessage(poses[k].pose.position), fromMessage(poses[k + 1].pose.position)); },
         segments, problems);
   for (std::size_t k = 0; k < request.segments.size(); ++k)
     add(
-        "segments[" + std::to_string(k) + "]", [&] { return fromSegment(request.segments[k]); }, segments, problems);
+        "segments", k, [&] { return fromSegment(request.segments[k]); }, segments, problems);
   throwProblems(problems);
   return segments;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include "pkm_workspace/interval/enclosed_constants.h"
 #include "pkm_workspace/interval/interval_vector.h"
 #include "pkm_workspace/interval/skew_box.h"
@@ -29,7 +31,7 @@ struct SineCosine
 class Curve
 {
 public:
-  static Curve line(const IntervalVector& start, const IntervalVector& end);
+  static Curve line(const Eigen::Vector3d& start, const Eigen::Vector3d& end);
   /// @param u, @param w of one length, perpendicular to each other and to @p drift
   Curve(const IntervalVector& origin, const IntervalVector& drift, const IntervalVector& u, const IntervalVector& w,
         const Interval& angle);
@@ -57,6 +59,12 @@ private:
 
     Turn(const Interval& angle, const Interval& half_angle);
   };
+
+  Curve(const Eigen::Vector3d& start, const IntervalVector& drift);
+  void setDirection(const IntervalVector& drift);
+  /// The piece about t of half length h.
+  CurvePiece straightPiece(double t, double h) const;
+  CurvePiece turningPiece(double t, double h) const;
 
   EnclosedVector<double> origin_, drift_, u_, w_;
   EnclosedVector<double> drift_direction_;  ///< drift over the length
