@@ -86,8 +86,8 @@ def main():
     if not measured:
         sys.exit("nothing was measured")
     rows, baseline = list(rows_of(run for file in measured for run in file["benchmarks"])), {}
-    print(f"{processor()}, {measured[0]['context']['num_cpus']} processors; {options.compiler}; Release; one thread but "
-          "where a row says otherwise.\n")
+    print(f"{processor()}, {measured[0]['context']['num_cpus']} processors; {options.compiler}; Release; one thread "
+          "but where a row says otherwise.\n")
     show([HEADINGS, *(cells(key, runs, baseline) for key, runs in rows)], options.markdown)
     print("\n" + EXPLANATION)
     wrong = contradictions(rows)

@@ -17,38 +17,25 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 /// Below this magnitude an error term may underflow: its sign is then taken from operands scaled by powers of two.
 constexpr double SMALL = 0x1p-900;
 
-/// The double next to a finite one, away from 0 or towards it: doubles of one sign are in the order of their bits.
-double nextAwayFromZero(double x)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof(bits));
-  ++bits;
-  std::memcpy(&x, &bits, sizeof(bits));
-  return x;
-}
-
-double nextTowardsZero(double x)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof(bits));
-  --bits;
-  std::memcpy(&x, &bits, sizeof(bits));
-  return x;
-}
-
-double nextUp(double x)
-{
-  return x > 0.0 ? nextAwayFromZero(x) : x < 0.0 ? nextTowardsZero(x) : std::numeric_limits<double>::denorm_min();
-}
-
+/// The rounded result and its neighbour on the side of the exact one. Signs of errors are as good as random: doubles of
+/// one sign are in the order of their bits, so that no branch is needed.
 /// @param error has the sign of (exact result - rounded result)
 Bounds around(double rounded, double error)
 {
-  if (!SOUND || error == 0.0)
+  constexpr double LEAST = std::numeric_limits<double>::denorm_min();
+  if (!SOUND)
     return { rounded, rounded };
-  if (error > 0.0)
-    return { rounded, nextUp(rounded) };
-  return { -nextUp(-rounded), rounded };
+  if (rounded == 0.0)
+    return { error < 0.0 ? -LEAST : 0.0, error > 0.0 ? LEAST : 0.0 };
+  std::int64_t bits;
+  std::memcpy(&bits, &rounded, sizeof(bits));
+  const std::int64_t upwards = bits < 0 ? -1 : 1;
+  const std::int64_t lower_bits = bits - (error < 0.0 ? upwards : 0);
+  const std::int64_t upper_bits = bits + (error > 0.0 ? upwards : 0);
+  Bounds bounds;
+  std::memcpy(&bounds.lower, &lower_bits, sizeof(bits));
+  std::memcpy(&bounds.upper, &upper_bits, sizeof(bits));
+  return bounds;
 }
 
 /// The sign of a * b - product for a product that is tiny, out of the operands' digits.

@@ -74,10 +74,11 @@ struct Circle
   IntervalVector center;  ///< [m]
   IntervalVector axis;    ///< of length 1
   IntervalVector u;       ///< from the center to the start [m]
+  IntervalVector w;       ///< a quarter on [m]
 
   Curve curve(const Interval& angle, double lift = 0.0) const
   {
-    return Curve(center, Interval(lift) * axis, u, cross(axis, u), angle);
+    return Curve(center, lift == 0.0 ? IntervalVector{} : Interval(lift) * axis, u, w, angle);
   }
 };
 
@@ -95,6 +96,7 @@ Circle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d
   const Interval along = dot(offset, circle.axis);
   circle.center = enclose(center) + along * circle.axis;
   circle.u = offset - along * circle.axis;
+  circle.w = cross(circle.axis, circle.u);
   if (!(norm(circle.u).lower() > 1e-12 * norm(offset).upper()))
     checks.add() << Named{ "start", start } << " lies on the axis";
   checks.throwIfAny();
@@ -108,15 +110,24 @@ Circle circleThrough(const Vector3d& start, const Vector3d& via, const Vector3d&
   const IntervalVector c = enclose(end) - enclose(start);
   const IntervalVector normal = cross(b, c);
   const Interval square = squaredNorm(normal);
-  const Interval least = sqr(Interval(ARC_LEAST_SINE)) * squaredNorm(b) * squaredNorm(c);
+  const Interval square_b = squaredNorm(b);
+  const Interval square_c = squaredNorm(c);
+  const Interval least = sqr(Interval(ARC_LEAST_SINE)) * square_b * square_c;
   if (!(square.lower() > least.upper()))
     checks.add() << Named{ "start", start } << ", " << Named{ "via", via } << " and " << Named{ "end", end }
                  << " must be farther off a line: the sine of the angle at the start has to be more than "
                  << exact(ARC_LEAST_SINE);
   checks.throwIfAny();
-  const IntervalVector to_center = squaredNorm(c) * cross(normal, b) + squaredNorm(b) * cross(c, normal);
+  const IntervalVector to_center = cross(normal, square_c * b - square_b * c);
   const IntervalVector offset = (Interval(0.5) / square) * to_center;
-  return { enclose(start) + offset, unit(normal), { -offset[0], -offset[1], -offset[2] } };
+  const IntervalVector axis = (Interval(1.0) / sqrt(square)) * normal;
+  const IntervalVector u = { -offset[0], -offset[1], -offset[2] };
+  return { enclose(start) + offset, axis, u, cross(axis, u) };
+}
+
+Interval asInterval(const Enclosed<double>& number)
+{
+  return Interval(number.value) + Interval(-number.radius, number.radius);
 }
 
 /// Encloses the angle in (0, 2 pi) from the start to the direction of the point: a guess, and the arc sine of what is
@@ -125,14 +136,15 @@ Interval angleTo(const Circle& circle, const Vector3d& end, Checks& checks)
 {
   const IntervalVector offset = enclose(end) - circle.center;
   const Interval x = dot(offset, circle.u);
-  const Interval y = dot(offset, cross(circle.axis, circle.u));
+  const Interval y = dot(offset, circle.w);
   const Interval square = sqr(x) + sqr(y);
   if (!square.certainlyPositive() || (y.contains(0.0) && x.upper() > 0.0))
     checks.add() << Named{ "end", end } << " must be in another direction from the axis than the start";
   checks.throwIfAny();
   double guess = std::atan2(y.mid(), x.mid());
   guess += guess < 0.0 ? 2.0 * pi().mid() : 0.0;
-  const double rest = ((y * cos(guess) - x * sin(guess)) / sqrt(square)).magnitude();
+  const SineCosine turn{ Interval(guess) };
+  const double rest = ((y * asInterval(turn.cosine) - x * asInterval(turn.sine)) / sqrt(square)).magnitude();
   if (!(rest < 0.5))
     checks.add() << "the circle is too small beside its coordinates for doubles";
   checks.throwIfAny();

@@ -7,7 +7,9 @@
 #include "handles.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/solid_message.h"
 
 namespace pkm_workspace
 {
@@ -31,8 +33,8 @@ constexpr double GROWTH_SECONDS = 10.0;  ///< a limit for the search at one cent
 
 constexpr unsigned MENU_GROW = 1;
 constexpr unsigned MENU_CUBE = 2;
-constexpr double FIRST_SIDE = 0.15;                 ///< of the box at first [L]
-const Eigen::Vector3d FIRST_PLACE(-0.2, 0.2, 0.2);  ///< of its center, beside the handle of the tool [L]
+constexpr double FIRST_SIDE = 0.12;                   ///< of the box at first [L]
+const Eigen::Vector3d FIRST_PLACE(-0.17, 0.17, 0.2);  ///< of its center, beside the handle of the tool [L]
 constexpr double BALL = 0.05;  ///< diameter of what is dragged at each face, and its distance from the face [L]
 constexpr double GRIP = 1.01;  ///< of the box that is dragged to the one that is shown
 
@@ -108,6 +110,8 @@ visualization_msgs::MarkerArray boxMarkers(const Box& box, const ContainmentResu
 
 BoxMarker::BoxMarker(NodeContext& context, interactive_markers::InteractiveMarkerServer& handles)
   : context_(context)
+  , dragger_(context.addWorker())
+  , grower_(context.addWorker())
   , handles_(handles)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("box_markers", 1, true))
   , box_(around(context.machine().zero() + context.machine().scale() * FIRST_PLACE,
@@ -130,7 +134,7 @@ void BoxMarker::refresh()
 
 void BoxMarker::later(const std::function<void()>& job)
 {
-  context_.decider.post([this, job] { guarded(context_.health, NAME, job); });
+  dragger_.post([this, job] { guarded(context_.health, NAME, job); });
 }
 
 void BoxMarker::take(const Feedback& feedback)
@@ -149,6 +153,9 @@ void BoxMarker::take(const Feedback& feedback)
 void BoxMarker::drag(const Feedback& feedback)
 {
   Eigen::Vector3d place = context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position));
+  Problems problems;
+  requireFinite("place", place, problems);
+  throwProblems(problems);
   if (feedback->marker_name == NAME)
     return set(around(place, box_.upper - box_.lower));
   Box box = box_;
@@ -167,8 +174,8 @@ void BoxMarker::drag(const Feedback& feedback)
 
 void BoxMarker::grow()
 {
-  const StopFlag stop = context_.worker.makeStopFlag();
-  context_.worker.post([this, stop, before = box_] {
+  const StopFlag stop = grower_.makeStopFlag();
+  grower_.post([this, stop, before = box_] {
     guarded(context_.health, NAME, [&] {
       RegionQuery query = context_.query();
       query.shape = makeBox(before.upper - before.lower);
@@ -191,13 +198,17 @@ void BoxMarker::grow()
 
 void BoxMarker::set(const Box& box)
 {
+  // first what refuses a box that makes no sense
+  const Criterion criterion = context_.query().criterion;
+  const ContainmentResult result = check(context_.machine(), criterion, box);
   box_ = box;
   showBody();
   for (const BoxFace& face : FACES)
     handles_.setPose(nameOf(face), poseAt(handlePlace(face)));
   handles_.applyChanges();
-  const ContainmentResult result = check(context_.machine(), context_.query().criterion, box);
-  markers_.publish(boxMarkers(box, result, context_.machine(), context_.frames.root().frame));
+  auto shown = boxMarkers(box, result, context_.machine(), context_.frames.root().frame);
+  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0));
+  markers_.publish(shown);
 }
 
 void BoxMarker::insert(const Handle& handle)

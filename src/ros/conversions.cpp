@@ -17,6 +17,16 @@ geometry_msgs::Point toMessage(const Eigen::Vector3d& point)
   return message;
 }
 
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn)
+{
+  geometry_msgs::Quaternion message;
+  message.x = turn.x();
+  message.y = turn.y();
+  message.z = turn.z();
+  message.w = turn.w();
+  return message;
+}
+
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point)
 {
   return { point.x, point.y, point.z };

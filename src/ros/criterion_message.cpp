@@ -113,4 +113,25 @@ Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, dou
   message.accuracy = accuracy;
   return message;
 }
+
+std::string captionOf(const Hypotheses& hypotheses)
+{
+  constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
+  Criterion criterion;
+  criterion.set = hypotheses.set == Hypotheses::DEXTROUS ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
+  criterion.aspect = static_cast<Criterion::Aspect>(hypotheses.aspect);
+  criterion.psi_min = hypotheses.psi_min;
+  criterion.psi_max = hypotheses.psi_max;
+  criterion.force_min = hypotheses.force_min;
+  criterion.force_max = hypotheses.force_max;
+  criterion.kappa_max = hypotheses.kappa_max;
+  criterion.joint_limits = hypotheses.joint_limits;
+  std::ostringstream text;
+  text << hypotheses.machine << ", geometry " << hypotheses.geometry_hash.substr(0, ENOUGH) << ", pkm_workspace "
+       << hypotheses.version << '\n'
+       << describe(criterion);
+  if (hypotheses.accuracy > 0.0)
+    text << ", accuracy " << hypotheses.accuracy << " m";
+  return text.str();
+}
 }  // namespace pkm_workspace

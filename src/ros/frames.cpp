@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/frames.h"
 
+#include <tf2/exceptions.h>
+
 #include <algorithm>
+#include <optional>
 
 #include "pkm_workspace/machine/frame.h"
 #include "pkm_workspace/ros/reply.h"
@@ -11,7 +14,21 @@ namespace pkm_workspace
 namespace
 {
 constexpr double PATIENCE = 1.0;  // [s]
+constexpr double REST = 10.0;     // [s] from the beginning of one wait to the next
 constexpr double LOOK = 0.01;     // [s] between two looks
+
+std::optional<geometry_msgs::Transform> lookUp(const std::string& frame, const std::string& root,
+                                               const tf2_ros::Buffer& buffer)
+{
+  try
+  {
+    return buffer.lookupTransform(frame, root, ros::Time()).transform;
+  }
+  catch (const tf2::TransformException&)
+  {
+    return std::nullopt;
+  }
+}
 
 std::string unknownFrame(const std::string& name, const std::string& root, const tf2_ros::Buffer& buffer)
 {
@@ -48,16 +65,21 @@ Frames::Frames(const Machine& machine, const std::string& root)
   root_.root.orientation.w = 1.0;
 }
 
-geometry_msgs::Pose Frames::rootIn(const std::string& frame, double patience) const
+geometry_msgs::Pose Frames::rootIn(const std::string& frame, bool patiently) const
 {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(patience);
-  while (!buffer_.canTransform(frame, root_.frame, ros::Time()))
+  std::optional<geometry_msgs::Transform> known = lookUp(frame, root_.frame, buffer_);
+  if (!known && patiently && mayWait())
   {
-    if (ros::WallTime::now() >= end)
-      throw Refusal(ErrorCode::UNKNOWN_FRAME, unknownFrame(frame, root_.frame, buffer_));
-    ros::WallDuration(LOOK).sleep();
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(PATIENCE);
+    while (!known && ros::WallTime::now() < end)
+    {
+      ros::WallDuration(LOOK).sleep();
+      known = lookUp(frame, root_.frame, buffer_);
+    }
   }
-  const geometry_msgs::Transform transform = buffer_.lookupTransform(frame, root_.frame, ros::Time()).transform;
+  if (!known)
+    throw Refusal(ErrorCode::UNKNOWN_FRAME, unknownFrame(frame, root_.frame, buffer_));
+  const geometry_msgs::Transform& transform = *known;
   geometry_msgs::Pose pose;
   pose.position.x = transform.translation.x;
   pose.position.y = transform.translation.y;
@@ -71,7 +93,14 @@ Eigen::Vector3d Frames::pointInRoot(const std::string& name, const Eigen::Vector
   const std::string frame = bare(name);
   if (frame.empty() || frame == root_.frame)
     return point;
-  return FramedMachine{ frame, nullptr, "", rootIn(frame, 0.0) }.toRoot() * point;
+  return FramedMachine{ frame, nullptr, "", rootIn(frame, false) }.toRoot() * point;
+}
+
+bool Frames::mayWait() const
+{
+  const double now = ros::WallTime::now().toSec();
+  double end = rest_until_;
+  return now >= end && rest_until_.compare_exchange_strong(end, now + REST);
 }
 
 FramedMachine Frames::machineIn(const std::string& name) const
@@ -79,7 +108,7 @@ FramedMachine Frames::machineIn(const std::string& name) const
   const std::string frame = bare(name);
   if (frame.empty() || frame == root_.frame)
     return root_;
-  FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, PATIENCE) };
+  FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, true) };
   const geometry_msgs::Point& position = framed.root.position;
   const geometry_msgs::Quaternion& orientation = framed.root.orientation;
   const Pose pose{ { orientation.x, orientation.y, orientation.z, orientation.w },

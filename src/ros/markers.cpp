@@ -7,6 +7,7 @@
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
 #include "scene.h"
 
 namespace pkm_workspace
@@ -149,6 +150,9 @@ void addRound(const Region& region, Scene& scene)
 void addRegion(const Region& region, Scene& scene)
 {
   region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
+  const Eigen::Vector3d label = fromMessage(scene.array().markers.back().pose.position);
+  const double outwards = label.z() < region.center.z ? -90.0 : 90.0;
+  scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(), captionOf(region.hypotheses));
 }
 
 Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
@@ -192,10 +196,30 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& m
   return scene.array();
 }
 
-visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& machine, const std_msgs::Header& header)
+visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& machine, const Workspace& workspace)
 {
-  Scene scene(header, machine.scale() / 1000.0);
+  Scene scene(workspace.header, machine.scale() / 1000.0);
   addPaving(paving.tree, "inside", "boundary", scene);
+  const Box& whole = paving.tree.bisection().root();
+  const double above = whole.upper.z() + 100.0 * scene.unit();
+  scene.addCaption({ whole.center().x(), whole.center().y(), above }, captionOf(workspace.hypotheses));
   return scene.array();
+}
+
+visualization_msgs::MarkerArray inRoot(visualization_msgs::MarkerArray array, const FramedMachine& in,
+                                       const std::string& root)
+{
+  if (in.frame == root)
+    return array;
+  const Eigen::Isometry3d move = in.toRoot();
+  for (visualization_msgs::Marker& marker : array.markers)
+  {
+    const geometry_msgs::Quaternion& q = marker.pose.orientation;
+    const Eigen::Quaterniond turned(move.rotation() * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+    marker.header.frame_id = root;
+    marker.pose.position = toMessage(move * fromMessage(marker.pose.position));
+    marker.pose.orientation = toMessage(turned);
+  }
+  return array;
 }
 }  // namespace pkm_workspace

@@ -50,6 +50,18 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   deciding.setCallbackQueue(&decider.queue());
 }
 
+void NodeContext::start()
+{
+  for (Worker& any : workers_)
+    any.start();
+}
+
+void NodeContext::stop()
+{
+  for (Worker& any : workers_)
+    any.stop();
+}
+
 RegionQuery NodeContext::query() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -55,11 +55,15 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   query.budget.stop = stop.get();
   ROS_INFO_STREAM_NAMED("server", "computing: " << describe(query));
   Problems differences;
-  if (last_)
-    validateEarlier(machine, query, *last_, differences);
-  const auto paving = std::make_shared<const Paving>(last_ && differences.empty() ? resume(machine, query, *last_)
-                                                                                  : pave(machine, query));
-  last_ = paving;
+  const auto earlier = last();
+  if (earlier)
+    validateEarlier(machine, query, *earlier, differences);
+  const auto paving = std::make_shared<const Paving>(earlier && differences.empty() ? resume(machine, query, *earlier)
+                                                                                    : pave(machine, query));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = paving;
+  }
   ROS_INFO_STREAM_NAMED("server", summary(*paving));
   context_.health.noteComputation({ describe(query), summary(*paving), paving->seconds, !paving->complete });
   const Workspace workspace = toMessage(question, *paving, ros::Time::now());
@@ -68,10 +72,16 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   return workspace;
 }
 
+std::shared_ptr<const Paving> PavingService::last() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_;
+}
+
 void PavingService::show(const FramedMachine& in, Workspace workspace, const Paving& paving)
 {
   workspace.inside = workspace.boundary = BoxList();
   workspace_.publish(workspace);
-  markers_.publish(markersOf(paving, *in.machine, workspace.header));
+  markers_.publish(inRoot(markersOf(paving, *in.machine, workspace), in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

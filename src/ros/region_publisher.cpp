@@ -30,7 +30,7 @@ void RegionPublisher::publish(const RegionQuestion& question, const Region& regi
 {
   region_.publish(region);
   joint_ranges_.publish(jointRangesOf(region));
-  if (tool_ && region.size > 0.0)
+  if (tool_ && !tool_->isLed() && region.size > 0.0)
     moveMachine(question, region);
 }
 
@@ -44,8 +44,8 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
   const Paving* paving = pavingFor(question, stop);
-  if (!*stop)
-    markers_.publish(markersOf(region, *question.in.machine, paving, context_.parameters.show_boundary));
+  const auto shown = markersOf(region, *question.in.machine, paving, context_.parameters.show_boundary);
+  markers_.publish(inRoot(shown, question.in, context_.frames.root().frame));
 }
 
 PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const

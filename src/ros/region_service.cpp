@@ -121,7 +121,8 @@ void RegionService::show(const RegionQuestion& question, const RegionConstPtr& r
   publisher_.publish(question, *region);
   const std::lock_guard<std::mutex> lock(mutex_);
   context_.painter.post([this, question, region, stop = pictures_] {
-    ros::WallDuration(BURST).sleep();
+    if (region == lastRegion())  // most of a burst is told apart without waiting
+      ros::WallDuration(BURST).sleep();
     if (region == lastRegion())
       publisher_.publishMarkers(question, *region, stop);
   });

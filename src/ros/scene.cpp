@@ -64,6 +64,7 @@ Marker& Scene::add(const std::string& ns, int type, const Color& color)
 {
   Marker marker = array_.markers.front();
   marker.action = Marker::ADD;
+  marker.text.clear();
   marker.ns = ns;
   marker.id = ids_[ns]++;
   marker.type = type;
@@ -80,6 +81,13 @@ void Scene::addText(const std::string& ns, const Eigen::Vector3d& place, const s
   marker.pose.position = toMessage(place);
   marker.scale.z = 70.0 * unit_;
   marker.text = text;
+}
+
+void Scene::addCaption(const Eigen::Vector3d& place, const std::string& text)
+{
+  addText("hypotheses", place, text);
+  array_.markers.back().scale.z *= 0.5;
+  array_.markers.front().text = text;
 }
 
 void addPaving(const BoxTree& tree, const std::string& inside, const std::string& undecided, Scene& scene)

@@ -31,6 +31,9 @@ public:
   visualization_msgs::Marker& add(const std::string& ns, int type, const Color& color);
   void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text);
 
+  /// Adds what the picture holds for: in small letters, and with the marker that clears.
+  void addCaption(const Eigen::Vector3d& place, const std::string& text);
+
   const visualization_msgs::MarkerArray& array() const { return array_; }
 
 private:

@@ -26,26 +26,17 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
 
 Server::~Server()
 {
-  stop();
+  context_.stop();
 }
 
 bool Server::run()
 {
   regions_.computeOwn();
-  context_.worker.start();
-  context_.decider.start();
-  context_.painter.start();
+  context_.start();
   // ros::ok() turns false only after the services have ended, which wait for the computation that is to be stopped here
   while (!ros::isShuttingDown())
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-  stop();
+  context_.stop();
   return !regions_.hasFailed();
-}
-
-void Server::stop()
-{
-  context_.worker.stop();
-  context_.decider.stop();
-  context_.painter.stop();
 }
 }  // namespace pkm_workspace

@@ -11,6 +11,7 @@
 #include "pkm_workspace/region/region_parts.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/markers.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "scene.h"
@@ -82,6 +83,9 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   for (int i = 0; i < 3; ++i)
     add(found.serial[static_cast<std::size_t>(i)], "serial singularity: " + machine.leg(i).joint);
   add(found.parallel, "parallel singularity");
+  const Eigen::Vector3d last = fromMessage(scene.array().markers.back().pose.position);
+  scene.addCaption(last + 90.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
+                   found.message + '\n' + captionOf(found.hypotheses));
   return scene.array();
 }
 
@@ -174,6 +178,6 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
   response.message = sentence(response);
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
   context_.health.noteComputation({ "singularities", response.message, found.seconds, isStopped(response) });
-  markers_.publish(markersOf(response, *question.in.machine));
+  markers_.publish(inRoot(markersOf(response, *question.in.machine), question.in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

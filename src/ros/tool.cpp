@@ -58,7 +58,7 @@ Tool::Tool(NodeContext& context) : context_(context), joint_states_(context.node
 
 void Tool::follow(const geometry_msgs::PoseStamped& pose)
 {
-  moveTo(context_.frames.pointInRoot(pose.header.frame_id, fromMessage(pose.pose.position)));
+  lead(context_.frames.pointInRoot(pose.header.frame_id, fromMessage(pose.pose.position)));
 }
 
 void Tool::follow(const sensor_msgs::JointState& rails)
@@ -70,13 +70,35 @@ void Tool::follow(const sensor_msgs::JointState& rails)
     const auto name = std::find(rails.name.begin(), rails.name.end(), joint);
     const auto index = static_cast<std::size_t>(name - rails.name.begin());
     if (index >= rails.position.size())
-      throw std::invalid_argument("rail_states has no position for joint '" + joint + "'");
+      throw std::invalid_argument("no position for joint '" + joint + "'");
     rho[i] = rails.position[index];
   }
-  const auto p = rho.allFinite() ? forwardKinematics(context_.machine(), rho) : std::nullopt;
-  if (!p)
-    throw std::invalid_argument("rail_states: no assembly in the machine's working mode and aspect has these joints");
-  moveTo(*p);
+  Problems problems;
+  requireFinite("position", rho, problems);
+  throwProblems(problems);
+  if (const auto p = forwardKinematics(context_.machine(), rho))
+    lead(*p);
+  else
+    stopBefore(rho);
+}
+
+void Tool::stopBefore(Eigen::Vector3d bad)
+{
+  is_led_ = true;
+  Eigen::Vector3d point = state().point;
+  const auto here = inverseKinematics(context_.machine(), point);
+  if (!here)
+    return;
+  Eigen::Vector3d good = *here;
+  for (int k = 0; k < HALVINGS; ++k)
+  {
+    const Eigen::Vector3d between = 0.5 * (good + bad);
+    const auto p = forwardKinematics(context_.machine(), between);
+    (p && objectionTo(*p).empty() ? good : bad) = between;
+    if (good == between)
+      point = *p;
+  }
+  go({ point, "beyond these joints the machine has no assembly in its working mode and aspect" });
 }
 
 std::string Tool::objectionTo(const Eigen::Vector3d& p) const
@@ -111,16 +133,31 @@ ToolState Tool::moveTo(const Eigen::Vector3d& p)
   Problems problems;
   requireFinite("tool point", p, problems);
   throwProblems(problems);
-  ToolState state{ p, objectionTo(p) };
+  const std::string objection = objectionTo(p);
+  return go(objection.empty() ? ToolState{ p, "" } : border(state().point, p));
+}
+
+ToolState Tool::lead(const Eigen::Vector3d& p)
+{
+  is_led_ = true;
+  return moveTo(p);
+}
+
+void Tool::refresh()
+{
+  const Eigen::Vector3d p = state().point;
+  go({ p, objectionTo(p) });
+}
+
+ToolState Tool::go(const ToolState& state)
+{
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!state.objection.empty())
-      state = border(state_.point, p);
     joint_states_.moveTo(state.point);
     state_ = state;
   }
   if (moved_)
-    moved_(state);
+    moved_();
   return state;
 }
 

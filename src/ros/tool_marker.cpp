@@ -9,6 +9,7 @@
 #include "handles.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/path_message.h"
 #include "pkm_workspace/ros/reply.h"
 
@@ -37,8 +38,13 @@ Color colorOf(double margin)
 
 void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, const Color& color, Scene& scene)
 {
-  if (!jacobians.j.allFinite())
+  if (!jacobians.j.allFinite())  // at a parallel singularity
+  {
+    Marker& ball = scene.add("ellipsoid", Marker::SPHERE, RED);
+    ball.pose.position = toMessage(point);
+    ball.scale.x = ball.scale.y = ball.scale.z = 2.0 * SPEED * 1000.0 * scene.unit();
     return;
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(jacobians.j * jacobians.j.transpose());
   Eigen::Matrix3d axes = squares.eigenvectors();
   if (axes.determinant() < 0.0)
@@ -48,10 +54,7 @@ void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, cons
       2.0 * SPEED * squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMin(LONGEST_AXIS) * 1000.0 * scene.unit();
   Marker& marker = scene.add("ellipsoid", Marker::SPHERE, color);
   marker.pose.position = toMessage(point);
-  marker.pose.orientation.x = turn.x();
-  marker.pose.orientation.y = turn.y();
-  marker.pose.orientation.z = turn.z();
-  marker.pose.orientation.w = turn.w();
+  marker.pose.orientation = toMessage(turn);
   marker.scale.x = sizes.x();
   marker.scale.y = sizes.y();
   marker.scale.z = sizes.z();
@@ -94,6 +97,7 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
 
 ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::InteractiveMarkerServer& handles)
   : context_(context)
+  , tool_(tool)
   , handles_(handles)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("tool_markers", 1, true))
 {
@@ -101,21 +105,25 @@ ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::In
   handle.size.setConstant(GRIP * context.machine().scale());
   handle.color = BARELY_VISIBLE;
   handle.arrows = GRIP * context.machine().scale();
-  handles_.insert(toMessage(handle), [this, &tool](const auto& feedback) {
+  handles_.insert(toMessage(handle), [this](const auto& feedback) {
     if (feedback->event_type == visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE)
       guarded(context_.health, NAME, [&] {
-        tool.moveTo(context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position)));
+        tool_.lead(context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position)));
       });
   });
   handles_.applyChanges();
-  tool.onMove([this](const ToolState& state) { show(state); });
-  show(tool.state());
+  tool.onMove([this] { show(); });
+  show();
 }
 
-void ToolMarker::show(const ToolState& state)
+void ToolMarker::show()
 {
-  handles_.setPose(NAME, poseAt(state.point));
+  handles_.setPose(NAME, poseAt(tool_.state().point));
   handles_.applyChanges();
-  markers_.publish(toolMarkers(context_.machine(), context_.query().criterion, state, context_.frames.root().frame));
+  const std::lock_guard<std::mutex> lock(mutex_);  // the last one to publish has the newest state
+  const Criterion criterion = context_.query().criterion;
+  auto shown = toolMarkers(context_.machine(), criterion, tool_.state(), context_.frames.root().frame);
+  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0));
+  markers_.publish(shown);
 }
 }  // namespace pkm_workspace

@@ -142,6 +142,18 @@ class ActionsTest(unittest.TestCase):
         self.assertGreater(workspace.boxes_pending, 0)
         self.assertLessEqual(workspace.volume_lower_bound, workspace.volume_upper_bound)
 
+    def test_others_are_answered_while_a_goal_runs(self):
+        endless = paver()
+        self.start(endless, ENDLESS_PAVING, lambda message: message.boxes > 0)
+        region = service("compute_largest_region", ComputeLargestRegion)(RegionRequest(accuracy=0.01)).region
+        self.assertEqual(Region.PROVEN, region.status)
+        client = finder()
+        client.send_goal(FindLargestRegionGoal(RegionRequest(accuracy=0.01)))
+        self.assertEqual(region.size, self.finish(client).region.size)
+        self.assertEqual(GoalStatus.ACTIVE, endless.get_state())
+        endless.cancel_goal()
+        self.assertFalse(self.finish(endless).workspace.complete)
+
     def test_shows_the_set_by_verdict(self):
         computed = service("compute_workspace", ComputeWorkspace)(PavingRequest(resolution=0.01)).workspace
         latched = rospy.wait_for_message(f"{NODE}/workspace", Workspace, PATIENCE)
@@ -150,8 +162,9 @@ class ActionsTest(unittest.TestCase):
         self.assertEqual(computed.volume_lower_bound, latched.volume_lower_bound)
         markers = rospy.wait_for_message(f"{NODE}/workspace_markers", MarkerArray, PATIENCE).markers
         self.assertEqual(Marker.DELETEALL, markers[0].action)
-        self.assertEqual({"inside", "boundary"}, {marker.ns for marker in markers[1:]})
-        colors = {(marker.ns, marker.color.r, marker.color.g, marker.color.b) for marker in markers[1:]}
+        self.assertEqual({"inside", "boundary", "hypotheses"}, {marker.ns for marker in markers[1:]})
+        colors = {(marker.ns, marker.color.r, marker.color.g, marker.color.b)
+                  for marker in markers[1:] if marker.points}
         self.assertEqual(2, len(colors))
         self.assertEqual(computed.boxes_inside + computed.boxes_boundary,
                          sum(len(marker.points) for marker in markers[1:]))

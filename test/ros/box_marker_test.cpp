@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The box that is dragged in rviz: its handles, its verdict, its menu.
+#include <pkm_workspace/SetCriterion.h>
+
+#include <cmath>
+#include <limits>
+
 #include "mechanism.h"
 
 namespace pkm_workspace
@@ -42,6 +47,37 @@ TEST_F(BoxMarkerTest, hasHandlesThatNothingElseHides)
   const double radius = 0.5 * face.controls[0].markers.at(0).scale.x;
   EXPECT_LT(placeOf(face).x() + radius, NEAR_ZERO.x() - 0.5 * box.scale.x) << "the ball is not in front of its face";
   EXPECT_NEAR(NEAR_ZERO.y(), placeOf(face).y(), 1e-9);
+}
+
+TEST_F(BoxMarkerTest, ignoresWhatMakesNoSense)
+{
+  drag("box", Eigen::Vector3d::Constant(std::nan("")));
+  drag("box_x1", Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
+  drag("box", 2.0 * NEAR_ZERO);
+  const auto shown = markers("box_markers", [](const std::vector<Marker>& found) {
+    return std::abs(named(found, "box").pose.position.x - 2.0 * NEAR_ZERO.x()) < 1e-9;
+  });
+  EXPECT_TRUE(placeOf(handle("box_x1")).allFinite());
+  EXPECT_GT(named(shown, "box").color.g, named(shown, "box").color.r) << textOf(shown, "verdict");
+}
+
+TEST_F(BoxMarkerTest, isJudgedByTheCriterionOfNow)
+{
+  const auto isGreen = [](const std::vector<Marker>& found) {
+    return named(found, "box").color.g > named(found, "box").color.r;
+  };
+  drag("box", NEAR_ZERO);
+  markers("box_markers", isGreen);
+  SetCriterion::Request request;
+  request.criterion.psi_min = 0.99;
+  request.criterion.psi_max = 1.01;
+  ASSERT_EQ(ErrorCode::SUCCESS, call<SetCriterion>("set_criterion", request).error_code);
+  const auto red = markers("box_markers", [&](const auto& found) { return !isGreen(found); });
+  EXPECT_NE(std::string::npos, red.front().text.find("1.01")) << "the picture does not say what it holds for";
+  request.criterion.psi_min = 0.5;
+  request.criterion.psi_max = 2.0;
+  ASSERT_EQ(ErrorCode::SUCCESS, call<SetCriterion>("set_criterion", request).error_code);
+  markers("box_markers", isGreen);
 }
 
 TEST_F(BoxMarkerTest, growsTheBoxToTheLargestAtItsCenter)

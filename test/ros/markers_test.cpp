@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -171,15 +172,44 @@ TEST(Markers, showTheBoundaryOnlyWhenAsked)
 TEST(Markers, drawAPavingByItselfByVerdict)
 {
   const Paving paving = smallPaving();
-  std_msgs::Header header;
-  header.frame_id = "base_link";
-  const auto array = markersOf(paving, orthoglide(), header);
+  Workspace workspace;
+  workspace.header.frame_id = "base_link";
+  workspace.hypotheses.machine = "orthoglide";
+  workspace.hypotheses.set = Hypotheses::DEXTROUS;
+  workspace.hypotheses.psi_min = 0.5;
+  workspace.hypotheses.psi_max = 3.0;
+  const auto array = markersOf(paving, orthoglide(), workspace);
   EXPECT_EQ(Marker::DELETEALL, array.markers.front().action);
   EXPECT_EQ(2U, inNamespace(array, "inside").size());
   const auto boundary = inNamespace(array, "boundary");
   ASSERT_EQ(1U, boundary.size());
   EXPECT_EQ(1U, boundary[0].points.size());
   EXPECT_NE(inNamespace(array, "inside")[0].color, boundary[0].color);
+  const auto captions = inNamespace(array, "hypotheses");
+  ASSERT_EQ(1U, captions.size());
+  EXPECT_EQ(0U, captions[0].text.find("orthoglide, geometry ")) << captions[0].text;
+  EXPECT_NE(std::string::npos, captions[0].text.find("3]")) << captions[0].text;
+  EXPECT_EQ(captions[0].text, array.markers.front().text);
+}
+
+TEST(Markers, stayWhereTheMachineStoodWhenTheFrameMoves)
+{
+  geometry_msgs::Pose root;  // of the root link in the frame: a quarter about z
+  root.position.x = 1.0;
+  root.orientation.z = root.orientation.w = std::sqrt(0.5);
+  const FramedMachine in{ "table", nullptr, "", root };
+  Markers there(1);
+  there[0].header.frame_id = "table";
+  there[0].pose.position.x = 1.0;
+  there[0].pose.position.y = 2.0;
+  there[0].pose.orientation.w = 1.0;
+  visualization_msgs::MarkerArray array;
+  array.markers = there;
+  const Marker moved = inRoot(array, in, "base_link").markers[0];
+  EXPECT_EQ("base_link", moved.header.frame_id);
+  EXPECT_NEAR(2.0, moved.pose.position.x, 1e-12);
+  EXPECT_NEAR(0.0, moved.pose.position.y, 1e-12);
+  EXPECT_NEAR(-std::sqrt(0.5), moved.pose.orientation.z, 1e-12);
 }
 
 TEST(Markers, drawAncestorsOfBoxesThatAreTooMany)
@@ -190,7 +220,7 @@ TEST(Markers, drawAncestorsOfBoxesThatAreTooMany)
   ASSERT_GT(paving.tree.count(CellState::INSIDE) + paving.tree.count(CellState::BOUNDARY), 20000);
   std::size_t boxes = 0;
   double volume = 0.0;
-  for (const Marker& marker : markersOf(paving, orthoglide(), std_msgs::Header()).markers)
+  for (const Marker& marker : markersOf(paving, orthoglide(), Workspace()).markers)
   {
     boxes += marker.points.size();
     volume += static_cast<double>(marker.points.size()) * marker.scale.x * marker.scale.y * marker.scale.z;

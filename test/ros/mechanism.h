@@ -130,6 +130,12 @@ inline std::string textOf(const std::vector<Marker>& markers, const std::string&
   return "";
 }
 
+inline bool hasText(const std::vector<Marker>& markers, const std::string& text)
+{
+  return std::any_of(markers.begin(), markers.end(),
+                     [&text](const Marker& marker) { return marker.text.find(text) != std::string::npos; });
+}
+
 /// What rviz draws of a handle, as its interactive markers stand now.
 inline visualization_msgs::InteractiveMarker handle(const std::string& name)
 {

@@ -84,6 +84,39 @@ TEST_F(Mechanism, saysWhichBoundDoesNotHold)
   EXPECT_NE(std::string::npos, textOf(shown, "reason").find("psi")) << textOf(shown, "reason");
 }
 
+TEST_F(Mechanism, stopsWhereRailsHaveNoAssemblyAndSaysSo)
+{
+  publishPose(NEAR_ZERO);
+  gapOnceAt(NEAR_ZERO);
+  sensor_msgs::JointState rails;
+  for (int leg = 0; leg < 3; ++leg)
+  {
+    rails.name.push_back(orthoglidePrototype().leg(leg).joint);
+    rails.position.push_back(1.0);
+  }
+  rails_.publish(rails);
+  const auto shown =
+      markers("tool_markers", [](const std::vector<Marker>& found) { return !textOf(found, "reason").empty(); });
+  EXPECT_NE(std::string::npos, textOf(shown, "reason").find("no assembly")) << textOf(shown, "reason");
+  const Marker ellipsoid = named(shown, "ellipsoid");
+  EXPECT_GT(ellipsoid.color.r, 2.0F * ellipsoid.color.g);
+  const Eigen::Vector3d border = placeOf(handle("tool"));
+  EXPECT_GT((border - NEAR_ZERO).norm(), 0.01) << "it did not go as far as it can";
+  EXPECT_LE(gapOnceAt(border), 1e-9);
+}
+
+TEST_F(Mechanism, isNotMovedByComputationsWhileItIsLed)
+{
+  const Eigen::Vector3d p(0.03, -0.02, 0.01);
+  publishPose(p);
+  gapOnceAt(p);
+  RegionRequest query;
+  query.shape = RegionRequest::SPHERE;
+  ASSERT_EQ(ErrorCode::SUCCESS, compute(query).error_code);
+  markers("markers", [](const auto& found) { return textOf(found, "hypotheses").size() && hasText(found, "sphere"); });
+  EXPECT_LE(gapOnceAt(p), 1e-9);
+}
+
 TEST_F(Mechanism, ignoresWhatMakesNoSense)
 {
   publishPose(NEAR_ZERO);

@@ -55,7 +55,7 @@ TEST(Topics, latchMarkersOfTheRegion)
     EXPECT_EQ("base_link", marker->header.frame_id);
     namespaces.insert(marker->ns);
   }
-  EXPECT_EQ((std::set<std::string>{ "region", "paving_inside", "joint_ranges" }), namespaces);
+  EXPECT_EQ((std::set<std::string>{ "region", "paving_inside", "joint_ranges", "hypotheses" }), namespaces);
 }
 
 TEST(Topics, showTheMachineAtTheCenterOfTheRegion)

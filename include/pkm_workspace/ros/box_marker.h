@@ -22,8 +22,8 @@ struct BoxFace;
 struct Handle;
 
 /// A box to drag and, by a ball before each face, to scale among the interactive markers, its verdict on ~box_markers,
-/// latched; its context menu grows it to the largest box of its proportions at its center. Thread-safe: the node's
-/// decider does everything.
+/// latched; its context menu grows it to the largest box of its proportions at its center. Thread-safe: a
+/// worker of its own does everything, another one grows it.
 class BoxMarker
 {
 public:
@@ -47,6 +47,8 @@ private:
   Eigen::Vector3d handlePlace(const BoxFace& face) const;
 
   NodeContext& context_;
+  Worker& dragger_;
+  Worker& grower_;
   interactive_markers::InteractiveMarkerServer& handles_;
   ros::Publisher markers_;
   Box box_;

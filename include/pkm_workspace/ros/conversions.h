@@ -17,6 +17,7 @@ namespace pkm_workspace
 /// The only place where messages are made from values of the library, and values from messages.
 
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
 
 /// @param defaults what fields without a value stand for

@@ -39,4 +39,6 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Problems& problems);
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);
+/// What a picture holds for, in two short lines: machine and geometry, criterion, accuracy and version.
+std::string captionOf(const Hypotheses& hypotheses);
 }  // namespace pkm_workspace

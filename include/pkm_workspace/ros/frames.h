@@ -6,6 +6,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -37,7 +38,7 @@ public:
 
   /// The machine in the frame of its root link.
   const FramedMachine& root() const { return root_; }
-  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known.
+  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known, once in ten.
   /// @param name empty: the root's @throws Refusal that names the frames there are
   FramedMachine machineIn(const std::string& name) const;
 
@@ -46,9 +47,12 @@ public:
   Eigen::Vector3d pointInRoot(const std::string& name, const Eigen::Vector3d& point) const;
 
 private:
-  geometry_msgs::Pose rootIn(const std::string& frame, double patience) const;
+  /// One thread waits at a time, and not again soon: who asks for what does not exist keeps nobody else waiting.
+  bool mayWait() const;
+  geometry_msgs::Pose rootIn(const std::string& frame, bool patiently) const;
 
   FramedMachine root_;
+  mutable std::atomic<double> rest_until_{ 0.0 };  ///< no wait before then [s]
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
 };

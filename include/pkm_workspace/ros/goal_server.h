@@ -13,8 +13,9 @@
 
 namespace pkm_workspace
 {
-/// An action whose goals are computed by the worker, in order. A new goal preempts all older ones of the action; goals
-/// that are preempted or cancelled have their flag set and end with what their computation then returns.
+/// An action whose goals are computed one after the other by a worker of its own. A new goal preempts all older ones of
+/// the action; goals that are preempted or cancelled have their flag set and end with what their computation then
+/// returns.
 template <class Action>
 class GoalServer
 {
@@ -26,6 +27,7 @@ public:
 
   GoalServer(NodeContext& context, const std::string& name, const Compute& compute)
     : context_(context)
+    , worker_(context.addWorker())
     , name_(name)
     , compute_(compute)
     , server_(
@@ -45,12 +47,12 @@ private:
 
   void take(const Handle& handle)
   {
-    const Open goal{ handle, context_.worker.makeStopFlag() };
+    const Open goal{ handle, worker_.makeStopFlag() };
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const Open& older : open_)
       *older.stop = true;
     open_.push_back(goal);
-    context_.worker.post([this, goal] { run(goal); });
+    worker_.post([this, goal] { run(goal); });
   }
 
   void cancel(const Handle& handle)
@@ -86,6 +88,7 @@ private:
   }
 
   NodeContext& context_;
+  Worker& worker_;
   std::string name_;
   Compute compute_;
   std::mutex mutex_;

@@ -25,7 +25,7 @@ public:
   {
     box_marker_.refresh();
     if (tool_)
-      tool_->moveTo(tool_->state().point);
+      tool_->refresh();
   }
 
 private:

@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <list>
 #include <mutex>
 #include <string>
 
@@ -15,8 +16,9 @@ namespace pkm_workspace
 {
 /// What all parts of the node share.
 ///
-/// Four threads: the one of private_node answers what can be answered at once, the worker computes, the decider gives
-/// verdicts, the painter makes markers, so that no request waits for a picture.
+/// The thread of private_node answers what can be answered at once, the worker computes what services ask for, the
+/// decider gives verdicts, the painter makes markers: no request waits for a picture. Goals of each action, and what is
+/// dragged, have workers of their own.
 class NodeContext
 {
 public:
@@ -25,6 +27,10 @@ public:
   /// trusted
   NodeContext(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
+private:
+  std::list<Worker> workers_;
+
+public:
   ros::NodeHandle node;
   ros::NodeHandle private_node;
   ros::NodeHandle computing;  ///< the private one for services of the worker
@@ -33,15 +39,20 @@ public:
   const UrdfMachine urdf;
   const Frames frames;
   Health health;
-  Worker worker;
-  Worker decider;
-  Worker painter;
+  Worker& worker = addWorker();
+  Worker& decider = addWorker();
+  Worker& painter = addWorker();
 
   const Machine& machine() const { return urdf.machine; }
 
   /// What the node computes by itself, and what requests without values get. Thread-safe, as the next.
   RegionQuery query() const;
   void setCriterion(const Criterion& criterion, double accuracy);
+
+  /// One more; it starts and stops with the others. For constructors of what the node consists of.
+  Worker& addWorker() { return workers_.emplace_back(); }
+  void start();
+  void stop();
 
 private:
   mutable std::mutex mutex_;

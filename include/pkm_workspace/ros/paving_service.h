@@ -5,6 +5,7 @@
 #include <pkm_workspace/ComputeWorkspace.h>
 
 #include <memory>
+#include <mutex>
 
 #include "pkm_workspace/ros/goal_server.h"
 #include "pkm_workspace/ros/node_context.h"
@@ -24,15 +25,17 @@ private:
 
   PavingQuestion read(const PavingRequest& request, double longest) const;
   void approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result);
-  /// Paves, or goes on from the last paving where that is about the same; for the worker.
+  /// Paves, or goes on from the last paving where that is about the same.
   Workspace compute(PavingQuestion question, const StopFlag& stop);
   void show(const FramedMachine& in, Workspace workspace, const Paving& paving);
+  std::shared_ptr<const Paving> last() const;
 
   NodeContext& context_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Paving> last_;  ///< of service or action
   ros::Publisher workspace_;
   ros::Publisher markers_;
   ros::ServiceServer service_;
   Action action_;
-  std::shared_ptr<const Paving> last_;  ///< the worker's own
 };
 }  // namespace pkm_workspace

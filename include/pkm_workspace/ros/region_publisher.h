@@ -14,7 +14,8 @@
 namespace pkm_workspace
 {
 /// Shows a region to others: latched ~region, ~joint_ranges and ~markers, and the machine at its center on
-/// joint_states. publish() is for one thread, the one that computes; publishMarkers() may be for another.
+/// joint_states, until somebody leads its tool. publish() is for one thread, the one that computes; publishMarkers()
+/// may be for another.
 class RegionPublisher
 {
 public:
@@ -24,7 +25,7 @@ public:
   /// Publishes the region and its joint ranges, and moves the machine there.
   void publish(const RegionQuestion& question, const Region& region);
   /// Publishes the markers, after a paving (up to seconds) unless it is the last one over again.
-  /// @param stop where it is set, the paving ends and nothing is published
+  /// @param stop where it is set, the paving ends, and the markers come without the set
   void publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop);
 
 private:

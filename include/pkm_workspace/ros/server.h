@@ -31,8 +31,6 @@ public:
   bool run();
 
 private:
-  void stop();
-
   NodeContext context_;
   std::unique_ptr<Tool> tool_;
   Interaction interaction_;

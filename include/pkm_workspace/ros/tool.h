@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <sensor_msgs/JointState.h>
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -31,14 +32,23 @@ public:
   explicit Tool(NodeContext& context);
 
   /// @param moved called after each move, by any thread
-  void onMove(const std::function<void(const ToolState&)>& moved) { moved_ = moved; }
+  void onMove(const std::function<void()>& moved) { moved_ = moved; }
   /// Moves towards a point in the frame of the root link [m], up to the border where it cannot go there.
   ToolState moveTo(const Eigen::Vector3d& p);
+  /// The same for somebody who leads the tool: from then on isLed().
+  ToolState lead(const Eigen::Vector3d& p);
+  /// Whether a handle, a pose or rails have led the tool: it is theirs then, and no computation moves it.
+  bool isLed() const { return is_led_; }
+  /// Tells again what the node's criterion of now says about where the tool is.
+  void refresh();
   ToolState state() const;
 
 private:
   void follow(const geometry_msgs::PoseStamped& pose);
   void follow(const sensor_msgs::JointState& rails);
+  /// As far as there is an assembly on the way to these joint values.
+  void stopBefore(Eigen::Vector3d bad);
+  ToolState go(const ToolState& state);
   /// Why the mechanism cannot be assembled there; empty where it can.
   std::string objectionTo(const Eigen::Vector3d& p) const;
   /// The last point on the way from @p good to @p bad, to rounding, and what is in the way there.
@@ -46,7 +56,8 @@ private:
 
   NodeContext& context_;
   JointStatePublisher joint_states_;
-  std::function<void(const ToolState&)> moved_;
+  std::function<void()> moved_;
+  std::atomic<bool> is_led_{ false };
   mutable std::mutex mutex_;
   ToolState state_;
   ros::Subscriber pose_;

@@ -4,6 +4,8 @@
 #include <interactive_markers/interactive_marker_server.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <mutex>
+
 #include "pkm_workspace/ros/tool.h"
 
 namespace pkm_workspace
@@ -22,10 +24,12 @@ public:
   ToolMarker(NodeContext& context, Tool& tool, interactive_markers::InteractiveMarkerServer& handles);
 
 private:
-  void show(const ToolState& state);
+  void show();
 
   NodeContext& context_;
+  Tool& tool_;
   interactive_markers::InteractiveMarkerServer& handles_;
+  std::mutex mutex_;
   ros::Publisher markers_;
 };
 }  // namespace pkm_workspace
