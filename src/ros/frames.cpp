@@ -4,6 +4,7 @@
 #include <tf2/exceptions.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "pkm_workspace/machine/frame.h"
@@ -14,8 +15,9 @@ namespace pkm_workspace
 namespace
 {
 constexpr double PATIENCE = 1.0;  // [s]
-constexpr double REST = 10.0;     // [s] from the beginning of one wait to the next
-constexpr double LOOK = 0.01;     // [s] between two looks
+constexpr double REST = 10.0;     // [s] from the beginning of one wait to the next for the same name
+constexpr std::size_t MOST_NAMES = 16;
+constexpr double LOOK = 0.01;  // [s] between two looks
 
 std::optional<geometry_msgs::Transform> lookUp(const std::string& frame, const std::string& root,
                                                const tf2_ros::Buffer& buffer)
@@ -68,7 +70,7 @@ Frames::Frames(const Machine& machine, const std::string& root)
 geometry_msgs::Pose Frames::rootIn(const std::string& frame, bool patiently) const
 {
   std::optional<geometry_msgs::Transform> known = lookUp(frame, root_.frame, buffer_);
-  if (!known && patiently && mayWait())
+  if (!known && patiently && mayWait(frame))
   {
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(PATIENCE);
     while (!known && ros::WallTime::now() < end)
@@ -96,11 +98,16 @@ Eigen::Vector3d Frames::pointInRoot(const std::string& name, const Eigen::Vector
   return FramedMachine{ frame, nullptr, "", rootIn(frame, false) }.toRoot() * point;
 }
 
-bool Frames::mayWait() const
+bool Frames::mayWait(const std::string& frame) const
 {
-  const double now = ros::WallTime::now().toSec();
-  double end = rest_until_;
-  return now >= end && rest_until_.compare_exchange_strong(end, now + REST);
+  const ros::WallTime now = ros::WallTime::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto name = waited_.begin(); name != waited_.end();)
+    name = now - name->second > ros::WallDuration(REST) ? waited_.erase(name) : std::next(name);
+  const auto earlier = waited_.find(frame);
+  if (earlier != waited_.end())
+    return now - earlier->second < ros::WallDuration(PATIENCE);
+  return waited_.size() < MOST_NAMES && waited_.emplace(frame, now).second;
 }
 
 FramedMachine Frames::machineIn(const std::string& name) const

@@ -6,8 +6,9 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <Eigen/Geometry>
-#include <atomic>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "pkm_workspace/machine/machine.h"
@@ -38,7 +39,8 @@ public:
 
   /// The machine in the frame of its root link.
   const FramedMachine& root() const { return root_; }
-  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known, once in ten.
+  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known; once in ten
+  /// for one name.
   /// @param name empty: the root's @throws Refusal that names the frames there are
   FramedMachine machineIn(const std::string& name) const;
 
@@ -47,12 +49,13 @@ public:
   Eigen::Vector3d pointInRoot(const std::string& name, const Eigen::Vector3d& point) const;
 
 private:
-  /// One thread waits at a time, and not again soon: who asks for what does not exist keeps nobody else waiting.
-  bool mayWait() const;
+  /// Not again soon for the same name: who asks for what does not exist keeps nobody else waiting.
+  bool mayWait(const std::string& frame) const;
   geometry_msgs::Pose rootIn(const std::string& frame, bool patiently) const;
 
   FramedMachine root_;
-  mutable std::atomic<double> rest_until_{ 0.0 };  ///< no wait before then [s]
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, ros::WallTime> waited_;  ///< since when, for names that were not known
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
 };
