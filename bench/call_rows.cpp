@@ -9,6 +9,7 @@
 #include "path_problem.h"
 #include "pkm_workspace/region/path_check.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/path_message.h"
 #include "problem.h"
 #include "rows.h"
 
@@ -53,20 +54,6 @@ void addComputation(const std::string& row, const std::function<void()>& compute
   })->UseRealTime();
 }
 
-CheckPath::Request pathRequest(const std::vector<Eigen::Vector3d>& points)
-{
-  CheckPath::Request request;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-  {
-    ToolSegment segment;
-    segment.kind = ToolSegment::LINE;
-    segment.start = toMessage(points[i]);
-    segment.end = toMessage(points[i + 1]);
-    request.segments.push_back(segment);
-  }
-  return request;
-}
-
 void addPointRows(const PointEvaluator& evaluator)
 {
   const std::string row = "evaluate_point";
@@ -78,27 +65,41 @@ void addPointRows(const PointEvaluator& evaluator)
   addCall<EvaluatePoint>(row, CALL, NODE + ("/" + row), request);
 }
 
-/// The call that computes nothing sends the same request, and answers what the node has answered to it.
-void addPathRows(const PointEvaluator& evaluator, ros::NodeHandle& node, ros::ServiceServer& idle)
+/// A segment from one point of a curve through the next to the one after that, as a request has it.
+ToolSegment segmentOf(std::uint8_t kind, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+                      const Eigen::Vector3d& end)
 {
-  const std::string row = "check_path of 10^4 lines";
-  const std::vector<Eigen::Vector3d> points = pointsOfCurve(10001);
-  std::vector<PathSegment> segments;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    segments.push_back(PathSegment::line(points[i], points[i + 1]));
-  const CheckPath::Request request = pathRequest(points);
+  ToolSegment segment;
+  segment.kind = kind;
+  segment.start = toMessage(start);
+  if (kind == ToolSegment::ARC_THROUGH)
+    segment.via = toMessage(via);
+  segment.end = toMessage(end);
+  return segment;
+}
+
+/// The call that computes nothing sends the same request, and answers what the node has answered to it.
+ros::ServiceServer addPathRows(const std::string& row, std::uint8_t kind, ros::NodeHandle& node)
+{
+  const std::vector<Eigen::Vector3d> points = pointsOfCurve(20001);
   CheckPath service;
-  service.request = request;
-  connect<CheckPath>(NODE + std::string("/check_path")).call(service);
+  for (std::size_t i = 0; i + 2 < points.size(); i += 2)
+    service.request.segments.push_back(segmentOf(kind, points[i], points[i + 1], points[i + 2]));
+  const std::string name = NODE + std::string("/check_path");
+  connect<CheckPath>(name).call(service);
   const boost::function<bool(CheckPath::Request&, CheckPath::Response&)> repeat =
       [response = service.response](CheckPath::Request&, CheckPath::Response& answer) {
         answer = response;
         return true;
       };
-  idle = node.advertiseService("idle_path", repeat);
-  addComputation(row, [evaluator, segments] { benchmark::DoNotOptimize(checkPath(evaluator, segments)); });
-  addCall<CheckPath>(row, IDLE, "idle_path", request);
-  addCall<CheckPath>(row, CALL, NODE + std::string("/check_path"), request);
+  const std::string idle = "idle_path_" + std::to_string(kind);
+  addComputation(row, [request = service.request] {
+    const PointEvaluator evaluator(orthoglideCube().machine, Criterion());
+    benchmark::DoNotOptimize(checkPath(evaluator, segmentsOf(request)));
+  });
+  addCall<CheckPath>(row, IDLE, idle, service.request);
+  addCall<CheckPath>(row, CALL, name, service.request);
+  return node.advertiseService(idle, repeat);
 }
 
 void addRegionRows()
@@ -117,12 +118,11 @@ int run(int argc, char** argv)
   const boost::function<bool(roscpp::Empty::Request&, roscpp::Empty::Response&)> nothing =
       [](roscpp::Empty::Request&, roscpp::Empty::Response&) { return true; };
   const ros::ServiceServer empty = node.advertiseService("empty", nothing);
-  ros::ServiceServer idle;
+  const ros::ServiceServer idle_lines = addPathRows("check_path of 10^4 lines", ToolSegment::LINE, node);
+  const ros::ServiceServer idle_arcs = addPathRows("check_path of 10^4 arcs", ToolSegment::ARC_THROUGH, node);
   ros::AsyncSpinner spinner(1);
   spinner.start();
-  const PointEvaluator evaluator(orthoglideCube().machine, Criterion());
-  addPointRows(evaluator);
-  addPathRows(evaluator, node, idle);
+  addPointRows(PointEvaluator(orthoglideCube().machine, Criterion()));
   addRegionRows();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
