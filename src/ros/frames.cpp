@@ -17,6 +17,7 @@ namespace
 constexpr double PATIENCE = 1.0;  // [s]
 constexpr double REST = 10.0;     // [s] from the beginning of one wait to the next for the same name
 constexpr std::size_t MOST_NAMES = 16;
+constexpr std::size_t LONGEST_NAME = 256;
 constexpr double LOOK = 0.01;  // [s] between two looks
 
 std::optional<geometry_msgs::Transform> lookUp(const std::string& frame, const std::string& root,
@@ -107,7 +108,7 @@ bool Frames::mayWait(const std::string& frame) const
   const auto earlier = waited_.find(frame);
   if (earlier != waited_.end())
     return now - earlier->second < ros::WallDuration(PATIENCE);
-  return waited_.size() < MOST_NAMES && waited_.emplace(frame, now).second;
+  return waited_.size() < MOST_NAMES && frame.size() < LONGEST_NAME && waited_.emplace(frame, now).second;
 }
 
 FramedMachine Frames::machineIn(const std::string& name) const

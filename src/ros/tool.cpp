@@ -94,8 +94,9 @@ void Tool::stopBefore(Eigen::Vector3d bad)
   {
     const Eigen::Vector3d between = 0.5 * (good + bad);
     const auto p = forwardKinematics(context_.machine(), between);
-    (p && objectionTo(*p).empty() ? good : bad) = between;
-    if (good == between)
+    const bool is_good = p && objectionTo(*p).empty();
+    (is_good ? good : bad) = between;
+    if (is_good)
       point = *p;
   }
   go({ point, "beyond these joints the machine has no assembly in its working mode and aspect" });
