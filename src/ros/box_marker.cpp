@@ -71,8 +71,8 @@ std::string textOf(const ContainmentResult& result)
     return "undecided: its border is too near";
   std::ostringstream text;
   text.precision(4);
-  text << "outside: (" << result.bad_point->x() << ", " << result.bad_point->y() << ", " << result.bad_point->z()
-       << ") m is bad";
+  text << "outside: bad near (" << result.bad_point->x() << ", " << result.bad_point->y() << ", "
+       << result.bad_point->z() << ") m";
   return text.str();
 }
 

@@ -155,11 +155,6 @@ void addRegion(const Region& region, Scene& scene)
   scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(), captionOf(region.hypotheses));
 }
 
-Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
-{
-  return mid(leg.origin) + rho * mid(leg.axis);
-}
-
 /// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
 Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, double unit)
 {

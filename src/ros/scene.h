@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "pkm_workspace/machine/machine.h"
 #include "pkm_workspace/paving/box_tree.h"
 
 namespace pkm_workspace
@@ -41,6 +42,9 @@ private:
   std::map<std::string, int> ids_;
   visualization_msgs::MarkerArray array_;
 };
+
+/// Where the slider of a leg stands, by floating point [m].
+Eigen::Vector3d sliderPoint(const Leg& leg, double rho);
 
 /// Adds the boxes of a paving, as coarsely as it takes for about 20000 of them: more than that rviz does not draw
 /// smoothly. One list for each size, because a list has one scale.

@@ -62,14 +62,13 @@ void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, cons
 
 void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
 {
-  const auto sliderPoint = [&leg](double value) -> Eigen::Vector3d { return mid(leg.origin) + value * mid(leg.axis); };
   const double lower = std::max(leg.limits.lower(), rho - reach);
   const double upper = std::min(leg.limits.upper(), rho + reach);
   Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);
   rail.scale.x = 8.0 * scene.unit();
-  rail.points = { toMessage(sliderPoint(lower)), toMessage(sliderPoint(upper)) };
+  rail.points = { toMessage(sliderPoint(leg, lower)), toMessage(sliderPoint(leg, upper)) };
   Marker& slider = scene.add("travel", Marker::SPHERE, SLIDER);
-  slider.pose.position = toMessage(sliderPoint(rho));
+  slider.pose.position = toMessage(sliderPoint(leg, rho));
   slider.scale.x = slider.scale.y = slider.scale.z = 45.0 * scene.unit();
 }
 
