@@ -97,7 +97,7 @@ private:
     return found.outside[lane] ? BoxVerdict::OUTSIDE : found.inside[lane] ? BoxVerdict::INSIDE : BoxVerdict::UNDECIDED;
   }
 
-  /// The verdicts on W boxes (design, section 3, items 1 and 2), and the rest of the answer to the question.
+  /// The verdicts on W boxes (docs/theory.md, affine forms), and the rest of the answer to the question.
   template <class Domain>
   Verdicts look(const MachineForms<Real>& forms, const Domain& box, Question& question) const
   {

@@ -131,8 +131,8 @@ private:
     tellProgress();
   }
 
-  /// A good machine first makes all proofs short (design, section 3, item 5). Both ends are among those tried, so that
-  /// a range beyond the family is refused.
+  /// A good machine first makes all proofs short (docs/theory.md, the largest region). Both ends are among those tried,
+  /// so that a range beyond the family is refused.
   void climb()
   {
     const double lower = query_.range.lower();

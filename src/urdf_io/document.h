@@ -24,7 +24,7 @@ struct Document
   std::vector<std::string> warnings;      ///< elements and attributes of joints that nobody reads
 };
 
-/// Parses the text and checks what urdfdom accepts in silence (design, section 5).
+/// Parses the text and checks what urdfdom accepts in silence (docs/urdf.md).
 /// @throws std::invalid_argument listing every problem, when urdfdom could not bear the text
 Document readDocument(const std::string& xml, Problems& problems);
 }  // namespace urdf_io

@@ -126,7 +126,7 @@ class ComparePaper(CommandTest):
             self.assertEqual(sum(row["place"] == f"table {table}" for row in self.rows), rows)
 
     def test_what_holds_and_what_does_not(self):
-        """values.md: the cube holds; the squares are 0.01 off; the cube's stroke is not 0.825."""
+        """docs/values.md: the cube holds; the squares are 0.01 off; the cube's stroke is not 0.825."""
         self.assertIs(self.holds("section 4.3", "edge of the cube")[-1], True)
         self.assertEqual(set(self.holds("table 2", "edge of the square")), {False})
         self.assertEqual(self.holds("section 4.3", "edge of the square"), [False])

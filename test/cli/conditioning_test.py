@@ -29,7 +29,7 @@ class Conditioning(AnalysisTest):
             last = [lower, upper]
 
     def test_a_point_like_region_has_the_index_of_its_point(self):
-        # values.md: at (t, t, t) with k = t / sqrt(1 - 2 t^2) = 1/4 the factors are 3/4 and 3/2
+        # docs/values.md: at (t, t, t) with k = t / sqrt(1 - 2 t^2) = 1/4 the factors are 3/4 and 3/2
         t = 0.25 / (1.0 + 2.0 / 16.0) ** 0.5
         answer = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--shape", "cube", "--center", t, t, t,
                              "--size", 1e-9)

@@ -28,7 +28,7 @@ class Study(CommandTest):
         self.assertEqual(answer["dimensions"], [answer["size"], answer["size"], 0])
 
     def test_parts_of_the_paper_s_table(self):
-        """values.md: the edges by a search for lambda = 0, 0.05, ...; they fall with lambda."""
+        """docs/values.md: the edges by a search for lambda = 0, 0.05, ...; they fall with lambda."""
         edges = [0.51949, 0.47585, 0.42859, 0.377935]
         answer = self.answer("study", "--machine", "uranesx", "--parameter", "lambda", "--range", 0, 0.2, "--shape",
                              "square", "--parts", 4)

@@ -31,7 +31,7 @@ Machine withRangesOf(const Machine& machine, const Shape& shape, const Vector3d&
   return withJointLimits(machine, equalisedRanges(ranges));
 }
 
-/// values.md: the largest cube, its edge rounded inward.
+/// docs/values.md: the largest cube, its edge rounded inward.
 const Vector3d CUBE_CENTER = Vector3d::Constant(0.086273015);
 constexpr double CUBE_EDGE = 0.64395;
 
@@ -72,7 +72,7 @@ void expectBounds(const Machine& machine, const Box& space, const Singularities&
 }  // namespace
 
 // In the upper corner, at t = 1/sqrt 6, eta = sqrt(1 - 2 t^2) is least, and det A = (1 + 2k) (1 - k)^2 eta^3 with
-// k = 1/2 (values.md).
+// k = 1/2 (docs/values.md).
 TEST(Singularity, noneInTheOrthoglidesCube)
 {
   const SingularityQuery query = singularitiesOver(makeCube(), CUBE_CENTER, CUBE_EDGE);
@@ -89,7 +89,7 @@ TEST(Singularity, noneInTheOrthoglidesCube)
   expectBounds(orthoglide(), *query.box, found, [](const Configuration&) { return true; });
 }
 
-// values.md: p = -(1, 1, 1)/sqrt 6 is one, against the paper's sentence.
+// docs/values.md: p = -(1, 1, 1)/sqrt 6 is one, against the paper's sentence.
 TEST(Singularity, parallelInTheJointRangesOfTheOrthoglidesCube)
 {
   const Machine machine = withRangesOf(orthoglide(), *makeCube(), CUBE_CENTER, CUBE_EDGE);
@@ -108,7 +108,8 @@ TEST(Singularity, parallelInTheJointRangesOfTheOrthoglidesCube)
   }
 }
 
-// values.md: the UraneSX has no parallel singularity in the ranges of its square extruded by its edge, but serial ones.
+// docs/values.md: the UraneSX has no parallel singularity in the ranges of its square extruded by its edge, but serial
+// ones.
 TEST(Singularity, serialInTheJointRangesOfTheUranesx)
 {
   const Machine uranes = uranesx();
@@ -139,7 +140,7 @@ TEST(Singularity, noneInTheUranesxSquare)
   expectBounds(uranesx(), *query.box, found, [](const Configuration&) { return true; });
 }
 
-// values.md: the largest sphere. The bounds are those of the sphere, not of the box around it.
+// docs/values.md: the largest sphere. The bounds are those of the sphere, not of the box around it.
 TEST(Singularity, noneInTheOrthoglidesSphere)
 {
   const Vector3d center = Vector3d::Constant(0.0705);

@@ -118,7 +118,7 @@ TEST(BoxTest, partsOfADecidedBoxKeepItsVerdict)
   }
 }
 
-// values.md: the diagonal of the Orthoglide is dextrous from k = -1/4 to k = 1/2, t = k / sqrt(1 + 2 k^2).
+// docs/values.md: the diagonal of the Orthoglide is dextrous from k = -1/4 to k = 1/2, t = k / sqrt(1 + 2 k^2).
 TEST(BoxTest, diagonalOfTheOrthoglideEndsWhereItIsKnownTo)
 {
   const BoxTest test(orthoglide(), Criterion());
@@ -200,7 +200,7 @@ TEST(Criterion, forceFactorsBoundTheVelocityFactorsFromTheOtherSide)
   EXPECT_TRUE(criterion.boundsAbove());
 }
 
-// values.md: on the diagonal psi_1 = psi_2 = 1 - k and psi_3 = 1 + 2 k for k > 0 of the unit Orthoglide.
+// docs/values.md: on the diagonal psi_1 = psi_2 = 1 - k and psi_3 = 1 + 2 k for k > 0 of the unit Orthoglide.
 TEST(BoxTest, conditionNumberOnTheDiagonalOfTheOrthoglideEndsWhereItIsKnownTo)
 {
   Criterion criterion;

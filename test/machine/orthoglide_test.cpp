@@ -110,7 +110,7 @@ TEST(Orthoglide, keepsTheOtherAspectApart)
 TEST(OrthoglidePrototype, hasJustTheTravelThatItsCubeNeeds)
 {
   const Machine machine = orthoglidePrototype();
-  const double center = 0.31058 * 0.086273015;  // values.md
+  const double center = 0.31058 * 0.086273015;  // docs/values.md
   for (int i = 0; i < 3; ++i)
   {
     Interval needed = Interval::empty();
@@ -127,7 +127,7 @@ TEST(OrthoglidePrototype, hasJustTheTravelThatItsCubeNeeds)
     const Interval& limits = machine.leg(i).limits;
     EXPECT_TRUE(needed.isSubsetOf(limits)) << needed << " " << limits;
     EXPECT_LE(limits.width() - needed.width(), 2e-4) << "a tenth of a millimetre at each end";
-    EXPECT_NEAR(needed.width(), 0.257, 5e-4) << "values.md";
+    EXPECT_NEAR(needed.width(), 0.257, 5e-4) << "docs/values.md";
   }
 }
 
@@ -165,7 +165,7 @@ TEST(OrthoglideSingularities, parallelStrutsAreParallel)
   EXPECT_FALSE(forwardKinematics(machine, *inverseKinematics(machine, singular)));
 }
 
-/// p = -(1, 1, 1) / sqrt 6 with all joints equal (values.md): struts in one plane, none parallel.
+/// p = -(1, 1, 1) / sqrt 6 with all joints equal (docs/values.md): struts in one plane, none parallel.
 TEST(OrthoglideSingularities, strutsInParallelPlanesAreParallelToo)
 {
   const Machine machine = orthoglide();

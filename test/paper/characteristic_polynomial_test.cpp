@@ -185,8 +185,8 @@ TEST(CharacteristicTest, pointsAreDecided)
   }
 }
 
-// values.md: the diagonal of the Orthoglide is dextrous from k = -1/4 to k = 1/2, t = k / sqrt(1 + 2 k^2). At k = 1/2
-// sigma_min is a double eigenvalue: P has a double zero and its derivatives vanish.
+// docs/values.md: the diagonal of the Orthoglide is dextrous from k = -1/4 to k = 1/2, t = k / sqrt(1 + 2 k^2). At k =
+// 1/2 sigma_min is a double eigenvalue: P has a double zero and its derivatives vanish.
 TEST(CharacteristicTest, diagonalOfTheOrthoglideEndsWhereItIsKnownTo)
 {
   const CharacteristicTest test(orthoglide(), Criterion());
@@ -218,7 +218,7 @@ TEST(CharacteristicTest, reachIsPartOfTheVerdict)
   }
 }
 
-// values.md: another piece of the set, with det A < 0, around -0.546 on the diagonal.
+// docs/values.md: another piece of the set, with det A < 0, around -0.546 on the diagonal.
 TEST(CharacteristicTest, otherAspectIsNotMixedIn)
 {
   const Box box = cubeAt(Eigen::Vector3d::Constant(-0.545923012), 0.06);

@@ -18,9 +18,9 @@ namespace
 {
 const Eigen::Vector3d ONES = Eigen::Vector3d::Ones();
 
-// values.md: 1/sqrt(6) + 1/(3 sqrt(2)), exact.
+// docs/values.md: 1/sqrt(6) + 1/(3 sqrt(2)), exact.
 const Interval CUBE_EDGE = Interval(1.0) / sqrt(Interval(6.0)) + Interval(1.0) / (Interval(3.0) * sqrt(Interval(2.0)));
-// Values called "search" in values.md are good to this.
+// Values called "search" in docs/values.md are good to this.
 const Interval SEARCH_ERROR(-1e-5, 1e-5);
 
 PaperQuery cubesOf(const Machine& machine, double accuracy)
@@ -94,7 +94,7 @@ TEST(PaperSearch, goesOnToFineAccuracyWithTheOtherBoxTest)
   }
 }
 
-// values.md: squares of the UraneSX for R = 7/13 + lambda; the paper prints 0.510, 0.470, 0.420, 0.370, 0.320.
+// docs/values.md: squares of the UraneSX for R = 7/13 + lambda; the paper prints 0.510, 0.470, 0.420, 0.370, 0.320.
 TEST(PaperSearch, bracketsTheSquaresOfTheUranesx)
 {
   const std::pair<double, double> known[] = {
@@ -141,7 +141,8 @@ TEST(PaperSearch, agreesWithTheOtherAlgorithmOnSquares)
                findLargestByPaper(CharacteristicTest(uranesx(), Criterion()), squaresOf(uranesx(), 0.005)));
 }
 
-// values.md: assembled on the other side of the parallel singularity, the Orthoglide has a cube of edge 0.062854514.
+// docs/values.md: assembled on the other side of the parallel singularity, the Orthoglide has a cube of edge
+// 0.062854514.
 TEST(PaperSearch, staysInTheAspectOfTheMachine)
 {
   const Machine machine("other aspect", orthoglide().legs(), Eigen::Vector3d::Constant(-0.546));

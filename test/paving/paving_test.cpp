@@ -14,7 +14,7 @@ namespace
 using test::query;
 }  // namespace
 
-// values.md: 8 (2 - sqrt 2) for both aspects together, 4.227 for the machine's own.
+// docs/values.md: 8 (2 - sqrt 2) for both aspects together, 4.227 for the machine's own.
 TEST(Paving, reachableVolumeOfTheOrthoglide)
 {
   const Interval exact = Interval(8.0) * (Interval(2.0) - sqrt(Interval(2.0)));

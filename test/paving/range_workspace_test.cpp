@@ -46,7 +46,7 @@ Interval volumeOf(const Machine& machine, const Criterion& criterion, double res
 }
 }  // namespace
 
-// values.md: 0.5742 in the machine's aspect, 0.0071 more in the other one.
+// docs/values.md: 0.5742 in the machine's aspect, 0.0071 more in the other one.
 TEST(RangeWorkspace, orthoglideCube)
 {
   RangeQuery query;
@@ -107,7 +107,7 @@ TEST(RangeWorkspace, refusesRangesWithoutEnds)
   test::expectThrow<std::invalid_argument>([&] { workspaceOfRanges(orthoglide(), query); }, "accuracy");
 }
 
-// values.md: 8 (2 - sqrt 2) in both aspects, 4.227 of it in the machine's own.
+// docs/values.md: 8 (2 - sqrt 2) in both aspects, 4.227 of it in the machine's own.
 TEST(ReachableVolume, orthoglideWithoutLimits)
 {
   const Interval exact = Interval(8.0) * (Interval(2.0) - sqrt(Interval(2.0)));

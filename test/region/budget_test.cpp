@@ -11,7 +11,7 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr double EDGE = 0.643950551;  // values.md, rounded up
+constexpr double EDGE = 0.643950551;  // docs/values.md, rounded up
 
 void expectHonest(const LargestRegion& region)
 {
@@ -79,7 +79,8 @@ TEST(Budget, progressIsReported)
     EXPECT_GE(progress.boxes_done, 0);
     stop = ++reports >= 2;
   };
-  // a spot inside the square is only just bad (values.md, R - r = 0.3848): the search lasts longer than two reports
+  // a spot inside the square is only just bad (docs/values.md, R - r = 0.3848): the search lasts longer than two
+  // reports
   const LargestRegion region = findLargestRegion(uranesx(Interval(0.4848), Interval(0.1)), query);
   EXPECT_EQ(reports >= 2, region.status == LargestRegion::Status::STOPPED);
 }

@@ -28,7 +28,7 @@ TEST(Containment, theCubesOfTheIssue)
   EXPECT_LE((*outside.bad_point - CUBE_CENTER).cwiseAbs().maxCoeff(), 0.322);
 }
 
-// values.md: 0.643950551 is the limit; the verdict has no tolerance on either side.
+// docs/values.md: 0.643950551 is the limit; the verdict has no tolerance on either side.
 TEST(Containment, theBorderIsExact)
 {
   const BoxTest test(orthoglide(), Criterion());

@@ -15,8 +15,8 @@ namespace
 constexpr unsigned SEED = 20260604;
 }
 
-// values.md: over the largest cube the stroke is 1 + 1/(3 sqrt 2) - 1/sqrt 6 and its part Delta f is 1 - sqrt(2/3).
-// Between the cubes a little smaller and a little larger than the largest one lie the exact values.
+// docs/values.md: over the largest cube the stroke is 1 + 1/(3 sqrt 2) - 1/sqrt 6 and its part Delta f is 1 -
+// sqrt(2/3). Between the cubes a little smaller and a little larger than the largest one lie the exact values.
 TEST(JointRanges, orthoglideCube)
 {
   const Interval a = Interval(1.0) / sqrt(Interval(6.0));
@@ -35,13 +35,13 @@ TEST(JointRanges, orthoglideCube)
     EXPECT_LT(larger.stroke.upper() - smaller.stroke.lower(), 1e-11);
     const Interval across = Interval(1.0) - sqrt(Interval(2.0) / Interval(3.0));
     EXPECT_TRUE(hull(smaller.across, larger.across).contains(across.mid())) << larger.across << across;
-    EXPECT_NEAR(larger.stroke.mid(), 0.827453970, 1e-9);  // values.md prints 0.827454012 beside this formula
+    EXPECT_NEAR(larger.stroke.mid(), 0.827453970, 1e-9);  // docs/values.md prints 0.827454012 beside this formula
     EXPECT_NEAR(larger.across.mid(), 0.183503419, 1e-9);
   }
 }
 
-// values.md: Delta f of the paper's square at its printed center, at (-0.018, 0), and of the optimum; no thickness, so
-// it is the stroke.
+// docs/values.md: Delta f of the paper's square at its printed center, at (-0.018, 0), and of the optimum; no
+// thickness, so it is the stroke.
 TEST(JointRanges, uranesxSquares)
 {
   const Machine machine = uranesx();

@@ -14,10 +14,10 @@ namespace
 {
 constexpr unsigned SEED = 20260602;
 
-// values.md: 1/sqrt(6) + 1/(3 sqrt(2)), between two doubles.
+// docs/values.md: 1/sqrt(6) + 1/(3 sqrt(2)), between two doubles.
 const Interval CUBE_EDGE = Interval(1.0) / sqrt(Interval(6.0)) + Interval(1.0) / (Interval(3.0) * sqrt(Interval(2.0)));
 constexpr double CUBE_CENTER = 0.086273015;
-// Values called "search" in values.md are good to this.
+// Values called "search" in docs/values.md are good to this.
 constexpr double SEARCH_ERROR = 1e-5;
 
 RegionQuery query(const ShapePtr& shape, double accuracy)
@@ -71,7 +71,7 @@ TEST(LargestRegion, orthoglideCubeOfTheIssue)
     EXPECT_NEAR(region.center[axis], CUBE_CENTER, 1e-3);
 }
 
-// values.md: bounds [1/f, f].
+// docs/values.md: bounds [1/f, f].
 TEST(LargestRegion, orthoglideCubeForOtherBounds)
 {
   const std::pair<double, double> known[] = {
@@ -102,7 +102,8 @@ TEST(LargestRegion, theOtherAspectIsNeverMixedIn)
   expectHolds(findLargestRegion(orthoglide(), wanted), 0.062854514);
 }
 
-// Table 2 of the paper with the search values of values.md; the last row is the one that the paper calls not satisfied.
+// Table 2 of the paper with the search values of docs/values.md; the last row is the one that the paper calls not
+// satisfied.
 TEST(LargestRegion, uranesxSquares)
 {
   struct Row

@@ -197,7 +197,7 @@ TEST(PathCheck, tellsWhichLimitBinds)
   };
   const auto diagonal = first(orthoglide(), Criterion(), { 0.6, 0.6, 0.6 });
   EXPECT_EQ(diagonal.limit.kind, Limit::Kind::PSI_MIN);
-  EXPECT_NEAR(diagonal.point.x(), 1.0 / std::sqrt(6.0), 1e-9) << "values.md: the upper corner of the cube";
+  EXPECT_NEAR(diagonal.point.x(), 1.0 / std::sqrt(6.0), 1e-9) << "docs/values.md: the upper corner of the cube";
   EXPECT_NEAR(diagonal.limit.value.mid(), 0.5, 1e-9);
   const auto other = first(orthoglide(), Criterion(), { -0.6, -0.6, 0.6 });
   EXPECT_EQ(other.limit.kind, Limit::Kind::PSI_MAX);

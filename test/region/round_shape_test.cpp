@@ -46,7 +46,7 @@ bool isInRegion(const Eigen::Vector3d& point, const Eigen::Vector3d& center, dou
 }
 }  // namespace
 
-// values.md: 0.5304 and 0.3554.
+// docs/values.md: 0.5304 and 0.3554.
 TEST(RoundShapes, largestOfThePapersMachines)
 {
   for (const double accuracy : { 1e-3, 1e-5 })

@@ -20,7 +20,7 @@ const ComparedFigure& figure(const MachineComparison& machine, const std::string
 }
 }  // namespace
 
-// values.md: the Orthoglide's workspace for the strokes of its cube, and the cube of the prototype.
+// docs/values.md: the Orthoglide's workspace for the strokes of its cube, and the cube of the prototype.
 TEST(CompareMachines, tellsTheNodesMachineBesideAnother)
 {
   CompareMachines::Request request;

@@ -13,7 +13,7 @@ namespace pkm_workspace
 {
 namespace test
 {
-/// Decides a criterion at a point in 100 digits, by the definitions (design, section 1) and by leading minors. The
+/// Decides a criterion at a point in 100 digits, by the definitions (docs/theory.md) and by leading minors. The
 /// machine is the member of its enclosure that has their middles for numbers: what is proved holds for it too.
 class Oracle
 {

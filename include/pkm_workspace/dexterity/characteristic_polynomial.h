@@ -8,7 +8,7 @@ namespace pkm_workspace
 /// The box verification of the paper's section 2.2: one point decides, and the characteristic polynomial carries its
 /// verdict over the box.
 ///
-/// With S(sigma) = A A^T - sigma B^2, the polynomial is P(sigma; p) = det S(sigma) (design, section 1: without
+/// With S(sigma) = A A^T - sigma B^2, the polynomial is P(sigma; p) = det S(sigma) (docs/theory.md: without
 /// division); where B is regular it vanishes exactly where sigma is an eigenvalue of (J J^T)^-1, and S(sigma) has as
 /// many positive, zero and negative eigenvalues as (J J^T)^-1 has above, at and below sigma (Sylvester). A box on which
 /// every radicand L_i^2 - |q_i|^2 is positive (the paper's cylinders, section 4.2) is connected and the eigenvalues are

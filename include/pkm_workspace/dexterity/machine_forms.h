@@ -11,7 +11,7 @@
 
 namespace pkm_workspace
 {
-/// Everything the verdicts need to know about a machine over one box, as affine forms (design, section 3).
+/// Everything the verdicts need to know about a machine over one box, as affine forms (docs/theory.md).
 /// Valid at every point of the box where no radicand is below its floor; reachable holds the radicands themselves
 /// everywhere.
 template <class Real>

@@ -50,7 +50,7 @@ struct Singularities
   double seconds = 0.0;
 };
 
-/// Bounds |eta_i| and |det A| from below and above by a best-first bisection with affine forms (design, section 3).
+/// Bounds |eta_i| and |det A| from below and above by a best-first bisection with affine forms (docs/theory.md).
 /// A singularity is proved by continuity: all conditions but the measure's own sign hold on a whole box, and the
 /// measure is proved not to be negative at one point of it and not to be positive at another.
 /// @throws std::invalid_argument for a query that is not valid or has no bounds, with all reasons

@@ -30,9 +30,9 @@ bool areParallel(const Leg& a, const Leg& b);
 /// The geometry of a translational machine with three legs: a value, immutable once made.
 ///
 /// Every number is an enclosure of the exact number it stands for (mostly of zero or one-ulp width). Legs whose axis
-/// enclosures are the same numbers share one direction (design: parallel rails).
+/// enclosures are the same numbers share one direction.
 ///
-/// Formulas (design, section 1; paper, section 3.2), with c = a - b and p the tool point:
+/// Formulas (docs/theory.md; paper, section 3.2), with c = a - b and p the tool point:
 ///   q = (I - e e^T)(p - c),  eta = s sqrt(L^2 - |q|^2),  strut d = q + eta e,  rho = e^T (p - c) - eta,
 ///   A pdot = B rhodot with A = rows d^T, B = diag(eta), J^-1 = B^-1 A.
 /// Thread-safe: it is never written to after construction.

@@ -14,8 +14,8 @@
 
 namespace pkm_workspace
 {
-/// Branch and bound over the centers of a region, best upper bound first (design, section 3, items 3 to 5). Boxes are
-/// looked at in waves of a fixed number, so that the answer does not depend on the number of threads.
+/// Branch and bound over the centers of a region, best upper bound first (docs/theory.md, the largest region). Boxes
+/// are looked at in waves of a fixed number, so that the answer does not depend on the number of threads.
 ///
 /// Invariant: every center that may carry a region larger than excluded_bound_ lies in an open box, and no center
 /// of an open box carries one larger than that box's bound. The incumbent is certified.

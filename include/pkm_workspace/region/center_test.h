@@ -10,7 +10,7 @@
 
 namespace pkm_workspace
 {
-/// The question of branch and bound over centers (design, section 3, items 3 and 4): may any center of a box carry a
+/// The question of branch and bound over centers (docs/theory.md, the largest region): may any center of a box carry a
 /// region?
 ///
 /// For every witness point k of K and every center c of the box, c + h k has to satisfy the criterion; for any vectors

@@ -17,8 +17,8 @@ struct Candidate
   double size = 0.0;
 };
 
-/// Finds large regions by sequential linear programming on the criterion at the witness points (design, section 3, item
-/// 5). Floating point: what it finds is a good guess, to be certified by checkContainment.
+/// Finds large regions by sequential linear programming on the criterion at the witness points (docs/theory.md,
+/// the largest region). Floating point: what it finds is a good guess, to be certified by checkContainment.
 class LocalSearch
 {
 public:

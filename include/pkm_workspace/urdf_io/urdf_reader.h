@@ -59,7 +59,7 @@ struct UrdfMachine
   std::vector<std::string> warnings;        ///< what is in the URDF and not used
 };
 
-/// Reads a closed-loop machine from a URDF (design, section 5): three branches, cut at the platform. Every number of
+/// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Every number of
 /// the machine encloses the exact number that the URDF's decimals, read as doubles, stand for. Legs come in the order
 /// in which the rails stand in the file or are named. Thread-safe. While urdfdom parses, the process-wide output
 /// handler of console_bridge is ours.

@@ -15,7 +15,7 @@ namespace pkm_workspace
 /// its own: where an enclosure has a width, a double inside it is written.
 ///
 /// URDF wants joint limits. An end that the machine leaves open gets the nearest round number that is not reached: the
-/// reachable points lie in the ellipsoid sum |q_i|^2 <= sum L_i^2 (design, section 1), which bounds every joint. Where
+/// reachable points lie in the ellipsoid sum |q_i|^2 <= sum L_i^2, which bounds every joint. Where
 /// the rails are nearly parallel, nothing bounds them: the limit is then L away from the zero configuration.
 /// @throws std::invalid_argument when the joints have no names, or one name twice
 std::string writeUrdf(const Machine& machine);
