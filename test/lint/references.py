@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds what the repository refers to: references.py ROOT
 
-Fails, naming each place, where a text names a file of docs/ that is not there or cites a page that is not part of the repository, and
-where a file that tools make is tracked.
+Fails, naming each place, where a text names a file of docs/ that is not there or cites a page that is not part of the
+repository, and where a file that tools make is tracked.
 """
 
 import pathlib
@@ -32,8 +32,8 @@ def problems_of(root, name):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
-    listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=True).stdout.splitlines()
-    names = [name for name in listed if (root / name).exists() and not name.endswith("lint/references.py")]
+    git = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=True)
+    names = [name for name in git.stdout.splitlines() if (root / name).exists() and not name.endswith("lint/references.py")]
     problems = [problem for name in names for problem in problems_of(root, name)]
     if not names:
         sys.exit(f"{root}: no file found")
