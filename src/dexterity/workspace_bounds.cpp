@@ -20,39 +20,72 @@ Interval symmetric(const Interval& radius)
   return Interval(-radius.upper(), radius.upper());
 }
 
-/// All three cylinders at once: with E = I - e e^T and q = E (p - c), p = (sum E)^-1 (sum E c + sum q), so that
-/// |p_k - ((sum E)^-1 sum E c)_k| <= sum |E (sum E)^-1 u_k| |q| for each unit vector u_k.
-Box boundsByCylinders(const Machine& machine, const Criterion& criterion)
+/// All three cylinders at once: with E = I - e e^T and q = E (p - c), p = (sum E)^-1 (sum E c + sum q), so that for any
+/// u |u . p - u . (sum E)^-1 sum E c| <= sum |E (sum E)^-1 u| |q|.
+class Cylinders
 {
-  IntervalMatrix sum;
-  IntervalVector moment;
-  for (int i = 0; i < 3; ++i)
+public:
+  Cylinders(const Machine& machine, const Criterion& criterion) : machine_(machine), criterion_(criterion)
   {
-    moment = moment + machine.projector(i) * machine.center(i);
-    for (std::size_t row = 0; row < 3; ++row)
-      sum[row] = sum[row] + machine.projector(i)[row];
-  }
-  const Interval det = determinant(sum[0], sum[1], sum[2]);
-  if (!det.certainlyPositive())
-    return EVERYWHERE;
-  // rows of the inverse of a symmetric matrix: cross products of its rows over its determinant
-  const IntervalMatrix cofactors = { cross(sum[1], sum[2]), cross(sum[2], sum[0]), cross(sum[0], sum[1]) };
-  IntervalVector p;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const IntervalVector row{ cofactors[k][0] / det, cofactors[k][1] / det, cofactors[k][2] / det };
-    p[k] = dot(row, moment);
+    IntervalMatrix sum;
     for (int i = 0; i < 3; ++i)
-      p[k] += symmetric(norm(machine.projector(i) * row) * cylinderRadius(machine.leg(i), criterion));
+    {
+      moment_ = moment_ + machine.projector(i) * machine.center(i);
+      for (std::size_t row = 0; row < 3; ++row)
+        sum[row] = sum[row] + machine.projector(i)[row];
+    }
+    const Interval det = determinant(sum[0], sum[1], sum[2]);
+    meet_ = !machine.hasParallelRails() && det.certainlyPositive();
+    if (!meet_)
+      return;
+    // rows of the inverse of a symmetric matrix: cross products of its rows over its determinant
+    inverse_ = { cross(sum[1], sum[2]), cross(sum[2], sum[0]), cross(sum[0], sum[1]) };
+    for (IntervalVector& row : inverse_)
+      row = { row[0] / det, row[1] / det, row[2] / det };
   }
-  return boundingBox(p);
-}
+
+  /// Encloses the points that lie in all three.
+  Box bounds() const
+  {
+    if (!meet_)
+      return EVERYWHERE;
+    return boundingBox({ range(inverse_[0]), range(inverse_[1]), range(inverse_[2]) });
+  }
+
+  /// Encloses rho of leg i at these points: e . (p - c) - eta, where eta^2 = L^2 - |q|^2.
+  Interval jointRange(int i) const
+  {
+    if (!meet_)
+      return Interval::entire();
+    const Leg& leg = machine_.leg(i);
+    const Interval along = range(inverse_ * leg.axis) - dot(leg.axis, machine_.center(i));
+    const double longest = leg.length.upper();
+    const double least = criterion_.boundsAbove() ? (leg.length / criterion_.largestFactor()).lower() : 0.0;
+    return along - Interval(leg.working_mode) * Interval(std::min(least, longest), longest);
+  }
+
+private:
+  /// Encloses u . p. @param image (sum E)^-1 u
+  Interval range(const IntervalVector& image) const
+  {
+    Interval sum = dot(image, moment_);
+    for (int i = 0; i < 3; ++i)
+      sum += symmetric(norm(machine_.projector(i) * image) * cylinderRadius(machine_.leg(i), criterion_));
+    return sum;
+  }
+
+  const Machine& machine_;
+  const Criterion& criterion_;
+  bool meet_ = false;  ///< whether they bound anything
+  IntervalMatrix inverse_;
+  IntervalVector moment_;
+};
 
 /// One leg by its joint limits: p = c + q + t e, where t = rho + eta and |eta| <= L.
 Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
 {
   const Leg& leg = machine.leg(i);
-  if (!criterion.joint_limits || !leg.limits.isBounded())
+  if (!leg.limits.isBounded())
     return EVERYWHERE;
   const Interval eta = leg.working_mode > 0 ? Interval(0.0, leg.length.upper()) : Interval(-leg.length.upper(), 0.0);
   const IntervalVector q = offsetAcross(machine, i, cylinderRadius(leg, criterion));
@@ -79,11 +112,29 @@ IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& rad
   return q;
 }
 
+std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& criterion)
+{
+  std::array<Interval, 3> binding = { Interval::entire(), Interval::entire(), Interval::entire() };
+  if (!criterion.joint_limits || !machine.hasJointLimits())
+    return binding;
+  const Cylinders cylinders(machine, criterion);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Interval& limits = machine.leg(i).limits;
+    const Interval range = cylinders.jointRange(i);
+    binding[static_cast<std::size_t>(i)] = { range.lower() >= limits.lower() ? -INF : limits.lower(),
+                                             range.upper() <= limits.upper() ? INF : limits.upper() };
+  }
+  return binding;
+}
+
 Box boundsOfSet(const Machine& machine, const Criterion& criterion)
 {
-  Box bounds = machine.hasParallelRails() ? EVERYWHERE : boundsByCylinders(machine, criterion);
+  Box bounds = Cylinders(machine, criterion).bounds();
+  const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
   for (int i = 0; i < 3; ++i)
-    bounds = intersection(bounds, boundsByLimits(machine, criterion, i));
+    if (limits[static_cast<std::size_t>(i)] != Interval::entire())
+      bounds = intersection(bounds, boundsByLimits(machine, criterion, i));
   return bounds;
 }
 

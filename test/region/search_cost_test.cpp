@@ -85,6 +85,35 @@ TEST(SearchCost, aSpotWithinTheSquare)
   EXPECT_LE(bad.verification_boxes, 15000);
 }
 
+// Limits that the reach of the struts implies, as a URDF has to have some.
+TEST(SearchCost, limitsThatBindNothing)
+{
+  Machine::Legs legs = orthoglide().legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-1.3, 2.3);
+  const Machine machine("with wide limits", legs, Eigen::Vector3d::Zero());
+  for (const ShapePtr& shape : { makeCube(), makeSphere() })
+  {
+    RegionQuery query;
+    query.shape = shape;
+    const LargestRegion without = findLargestRegion(machine, query);
+    query.criterion.joint_limits = true;
+    const LargestRegion with = findLargestRegion(machine, query);
+    EXPECT_EQ(with.boxes, without.boxes);
+    EXPECT_EQ(with.verification_boxes, without.verification_boxes);
+    EXPECT_EQ(with.size, without.size);
+    EXPECT_EQ(with.size_upper_bound, without.size_upper_bound);
+  }
+  PavingQuery query;
+  query.resolution = 0.05;
+  const Paving without = pave(machine, query);
+  query.criterion.joint_limits = true;
+  const Paving with = pave(machine, query);
+  EXPECT_EQ(with.boxes, without.boxes);
+  EXPECT_EQ(with.box.lower, without.box.lower);
+  EXPECT_EQ(with.box.upper, without.box.upper);
+}
+
 TEST(SearchCost, machinesWithoutSymmetry)
 {
   std::vector<std::int64_t> boxes;

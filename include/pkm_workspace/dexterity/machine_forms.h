@@ -103,7 +103,8 @@ public:
   AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const Domain& box) const;
   /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
   Real margin(const std::array<Real, 3>& p) const;
-  /// Whether leg i has a finite lower (side = 0) or upper (side = 1) limit that the criterion asks for.
+  /// Whether leg i has a lower (side = 0) or upper (side = 1) limit that the criterion asks for and that the rest of it
+  /// does not imply.
   bool limited(std::size_t leg, int side) const { return legs_[leg].limited[static_cast<std::size_t>(side)]; }
   /// rho_i - lower (side = 0) or upper - rho_i (side = 1) [m].
   template <class Domain>

@@ -4,6 +4,7 @@
 // Definitions of the templates declared in machine_forms.h.
 
 #include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 
 namespace pkm_workspace
 {
@@ -18,6 +19,7 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
   , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
 {
+  const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
   for (int i = 0; i < 3; ++i)
   {
     const Leg& leg = machine.leg(i);
@@ -32,12 +34,13 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
     model.sign = Enclosed<Real>(Interval(leg.working_mode));
     if (criterion.boundsAbove())
       model.floor = Real((squared_length / sqr(criterion.largestFactor())).lower());
-    if (!criterion.joint_limits)
-      continue;
-    model.limited = { leg.limits.lower() > -std::numeric_limits<double>::infinity(),
-                      leg.limits.upper() < std::numeric_limits<double>::infinity() };
-    model.limit[0] = model.limited[0] ? Enclosed<Real>(Interval(-leg.limits.lower())) : Enclosed<Real>();
-    model.limit[1] = model.limited[1] ? Enclosed<Real>(Interval(leg.limits.upper())) : Enclosed<Real>();
+    const std::array<double, 2> limit = { -limits[static_cast<std::size_t>(i)].lower(),
+                                          limits[static_cast<std::size_t>(i)].upper() };
+    for (const std::size_t side : { 0U, 1U })
+    {
+      model.limited[side] = std::isfinite(limit[side]);
+      model.limit[side] = model.limited[side] ? Enclosed<Real>(Interval(limit[side])) : Enclosed<Real>();
+    }
   }
 }
 

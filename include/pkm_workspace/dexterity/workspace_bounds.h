@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/machine/machine.h"
 
@@ -12,6 +14,11 @@ Interval cylinderRadius(const Leg& leg, const Criterion& criterion);
 
 /// Encloses the vectors q of that length: |q_k| <= |q| sqrt(1 - e_k^2), because q is across e [m].
 IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& radius);
+
+/// The joint limits that the criterion asks for and a point may reach that satisfies the rest of it [m]: an end is
+/// infinite where the reach of the three struts, with the margin that psi_max gives, proves that it does. The set of
+/// the criterion is the same with these limits.
+std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& criterion);
 
 /// A box that contains every point of the criterion's set [m]. It may be infinite (parallel rails without joint
 /// limits), or not valid (the set is empty).
