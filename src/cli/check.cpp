@@ -6,8 +6,8 @@
 #include "output.h"
 #include "pkm_workspace/dexterity/region_check.h"
 #include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/report/binding_limit.h"
 #include "progress.h"
-#include "violations.h"
 
 namespace pkm_workspace
 {
@@ -119,7 +119,8 @@ private:
     if (result.verdict == Containment::UNDECIDED)
       return "Neither is proved: the border of the set is within rounding of the box, or " +
              std::to_string(max_boxes_) + " boxes (--max-boxes) were not enough.";
-    const Words reasons = violations(machine_.machine(), criterion_, *result.bad_point);
+    const Machine& machine = machine_.machine();
+    const Words reasons = violations(evaluatePoint(machine, criterion_, *result.bad_point), machine);
     return "Proved: the bad point lies in the box and is not " + cli::name(criterion_.set) +
            std::string(reasons.empty() ? "" : ": ") + joined(reasons, "; ") + ".";
   }

@@ -5,7 +5,7 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "violations.h"
+#include "pkm_workspace/report/binding_limit.h"
 
 namespace pkm_workspace
 {
@@ -28,7 +28,7 @@ std::string message(const Machine& machine, const PointEvaluation& there, const 
     return "The point is " + quality + ".";
   if (there.verdict == BoxVerdict::UNDECIDED)
     return "Whether the point is " + quality + " is not decided: it is within rounding of the border.";
-  const Words found = violations(machine, there);
+  const Words found = violations(there, machine);
   return "The point is not " + quality + ": " +
          (found.empty() ? "it misses a bound by less than the rounding of doubles" : joined(found, "; ")) + ".";
 }

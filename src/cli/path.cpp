@@ -5,8 +5,8 @@
 #include "path_text.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/path_check.h"
+#include "pkm_workspace/report/path_sentence.h"
 #include "progress.h"
-#include "violations.h"
 
 namespace pkm_workspace
 {
@@ -19,6 +19,12 @@ Json toJson(const PathMotion& motion)
   return { { "psi", cli::toJson(motion.psi) },
            { "rho", cli::toJson(motion.joint) },
            { "joint_speed", { motion.joint_speed[0], motion.joint_speed[1], motion.joint_speed[2] } } };
+}
+
+const char* name(PathResult::End end)
+{
+  constexpr const char* NAMES[] = { "complete", "looks", "stopped" };  // as PathResult::End
+  return NAMES[static_cast<std::size_t>(end)];
 }
 
 class Path : public Command
@@ -65,9 +71,10 @@ public:
     query_.stop = stopOnSignal();
     const PathResult result = checkPath(machine, criterion_, path_.segments(), query_);
     Json json = contextOf(machine, criterion_);
-    json["verdict"] = name(result.verdict);
+    json["verdict"] = cli::name(result.verdict);
     json["tool_speed"] = query_.tool_speed;
     json["looks"] = result.looks;
+    json["end"] = name(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? toJson(*result.motion) : Json();
     json["segments"] = Json::array();
@@ -92,7 +99,7 @@ private:
   static Json segmentOf(const SegmentCheck& check, const std::string& place)
   {
     return { { "place", place },
-             { "verdict", name(check.verdict) },
+             { "verdict", cli::name(check.verdict) },
              { "good_until", check.good_until },
              { "bad_at", check.bad_at ? Json(*check.bad_at) : Json() },
              { "motion", check.motion ? toJson(*check.motion) : Json() } };
@@ -102,6 +109,9 @@ private:
   {
     Json json = segmentOf(result.segments[result.first->segment], path_.places()[result.first->segment]);
     json.erase("motion");
+    json["open"] = Json::array();
+    for (const PathPart& part : result.first->open)
+      json["open"].push_back({ part.first, part.last });
     json["segment"] = result.first->segment;
     json["point"] = cli::toJson(result.first->point);
     json["binding"] = cli::toJson(machine_.machine(), result.first->limit);
@@ -110,23 +120,12 @@ private:
 
   std::string message(const PathResult& result) const
   {
-    if (result.verdict == Containment::INSIDE)
-      return "Proved: every point of the path is " + cli::name(criterion_.set) + ".";
-    const PathOffence& first = *result.first;
-    const std::string place =
-        path_.places()[first.segment] + ", where the part t = " + nearly(first.good_until) + " of its way is done: ";
-    if (result.verdict == Containment::UNDECIDED)
-      return "Not decided: the path touches the border of the set, or --max-looks was not enough, at " + place +
-             describe(machine_.machine(), first.limit) + ".";
-    if (!first.bad_at)
-      return "Proved: a later segment is not " + cli::name(criterion_.set) + "; not decided, at " + place +
-             describe(machine_.machine(), first.limit) + ".";
-    return "Proved: the path leaves the set at " + place + describe(machine_.machine(), first.limit) + ".";
+    return describe(result, machine_.machine(), [this](std::size_t segment) { return path_.places()[segment]; });
   }
 
   std::string print(const PathResult& result) const
   {
-    std::vector<Words> rows = { { "verdict", name(result.verdict) } };
+    std::vector<Words> rows = { { "verdict", cli::name(result.verdict) } };
     if (result.motion)
       for (std::size_t i = 0; i < 3; ++i)
       {

@@ -62,6 +62,21 @@ double relativeMargin(const Limit& limit, double scale)
 }
 }  // namespace
 
+std::vector<Limit> jointLimits(const Machine& machine, const std::array<Interval, 3>& rho)
+{
+  std::vector<Limit> found;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Interval& limits = machine.leg(i).limits;
+    const Interval& value = rho[static_cast<std::size_t>(i)];
+    if (limits.lower() > -INF)
+      found.push_back(atLeast(Kind::JOINT_LOWER, i, value, limits.lower()));
+    if (limits.upper() < INF)
+      found.push_back(atMost(Kind::JOINT_UPPER, i, value, limits.upper()));
+  }
+  return found;
+}
+
 std::string name(Limit::Kind kind)
 {
   constexpr const char* NAMES[] = { "reach",   "joint_lower", "joint_upper", "aspect",   "psi_min",
@@ -121,12 +136,10 @@ void PointEvaluator::addValues(const Configuration& there, const PieceMotion& mo
   {
     result.psi[i] = intersection(asInterval(motion.psi[i]), not_negative);
     result.rho[i] = intersection(asInterval(motion.joint[i]), there.rho[i]);
-    const Interval& limits = machine_.legs()[i].limits;
-    if (criterion.joint_limits && limits.lower() > -INF)
-      result.limits.push_back(atLeast(Kind::JOINT_LOWER, static_cast<int>(i), result.rho[i], limits.lower()));
-    if (criterion.joint_limits && limits.upper() < INF)
-      result.limits.push_back(atMost(Kind::JOINT_UPPER, static_cast<int>(i), result.rho[i], limits.upper()));
   }
+  if (criterion.joint_limits)
+    for (const Limit& limit : jointLimits(machine_, result.rho))
+      result.limits.push_back(limit);
   result.condition = intersection(result.psi[2] * inverse(result.psi[0]), Interval(1.0, INF));
   result.det_a = there.det_a;
   if (criterion.aspect != Criterion::Aspect::BOTH)

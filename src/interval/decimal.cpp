@@ -15,13 +15,14 @@ namespace
 {
 constexpr int SIGNIFICANT_DIGITS = 9;
 
-std::string rounded(double value, int decimals, mpfr_rnd_t direction)
+/// @param format of MPFR, for the number of digits, the direction and the value
+std::string rounded(const char* format, double value, int digits, mpfr_rnd_t direction)
 {
   mpfr_t number;
   mpfr_init2(number, 53);
   mpfr_set_d(number, value, MPFR_RNDN);  // exact: number has the digits of a double
   char* buffer = nullptr;
-  mpfr_asprintf(&buffer, "%.*R*f", decimals, direction, number);
+  mpfr_asprintf(&buffer, format, digits, direction, number);
   const std::string text = buffer;
   mpfr_free_str(buffer);
   mpfr_clear(number);
@@ -38,12 +39,17 @@ std::string significant(double value, int digits)
 
 std::string roundedDown(double value, int decimals)
 {
-  return rounded(value, decimals, MPFR_RNDD);
+  return rounded("%.*R*f", value, decimals, MPFR_RNDD);
 }
 
 std::string roundedUp(double value, int decimals)
 {
-  return rounded(value, decimals, MPFR_RNDU);
+  return rounded("%.*R*f", value, decimals, MPFR_RNDU);
+}
+
+std::string significantAbove(double value, int digits)
+{
+  return rounded("%.*R*g", value, digits, MPFR_RNDU);
 }
 
 std::string exact(double value)

@@ -58,6 +58,7 @@ public:
     if (result_.verdict == Containment::INSIDE && !segments_.empty())
       result_.motion = asPathMotion(sum, query_.tool_speed);
     result_.looks = looks_.count();
+    result_.end = looks_.end();
     return std::move(result_);
   }
 
@@ -92,6 +93,7 @@ private:
   void settle(std::size_t segment)
   {
     SegmentCheck& check = result_.segments[segment];
+    std::vector<PathPart> open = { { 0.0, 1.0 } };
     if (segment < looked_at_ && !is_open_[segment])
     {
       check.verdict = Containment::INSIDE;
@@ -99,30 +101,40 @@ private:
     }
     else if (!looks_.isOver())
     {
-      SegmentProof proof(segments_[segment].curve(), looks_);
-      check = proof.run(!result_.first);
+      SegmentProof proof(segments_[segment].curve(), looks_, !result_.first);
+      check = proof.run();
+      open = proof.open();
       motions_[segment] = proof.motion();
     }
     if (check.verdict == Containment::INSIDE)
       check.motion = asPathMotion(motions_[segment], query_.tool_speed);
     else
-      offend(segment);
+      offend(segment, open);
   }
 
-  void offend(std::size_t segment)
+  void offend(std::size_t segment, const std::vector<PathPart>& open)
   {
     const SegmentCheck& check = result_.segments[segment];
     if (result_.verdict != Containment::OUTSIDE)
       result_.verdict = check.verdict;
-    if (result_.first)
-      return;
+    if (!result_.first)
+      result_.first = offenceOf(segment, open);
+    if (!result_.proved && check.verdict == Containment::OUTSIDE)
+      result_.proved = result_.first->segment == segment ? *result_.first
+                                                         : offenceOf(segment, { { check.good_until, *check.bad_at } });
+  }
+
+  PathOffence offenceOf(std::size_t segment, const std::vector<PathPart>& open) const
+  {
+    const SegmentCheck& check = result_.segments[segment];
     PathOffence offence;
     offence.segment = segment;
     offence.good_until = check.good_until;
     offence.bad_at = check.bad_at;
+    offence.open = open;
     offence.point = segments_[segment].point(check.bad_at.value_or(check.good_until));
     offence.limit = evaluator_(offence.point).binding();
-    result_.first = offence;
+    return offence;
   }
 
   static constexpr std::size_t BATCH = 32;

@@ -18,7 +18,17 @@ public:
   PathLooks(const BoxKernel& kernel, const PathQuery& query) : kernel_(kernel), query_(query) {}
 
   std::int64_t count() const { return count_; }
-  bool isOver() const { return count_ >= query_.max_looks || (query_.stop != nullptr && *query_.stop); }
+  /// What has ended the looks, once isOver() has said so.
+  PathResult::End end() const { return end_; }
+
+  bool isOver()
+  {
+    if (query_.stop != nullptr && *query_.stop)
+      end_ = PathResult::End::STOPPED;
+    else if (count_ >= query_.max_looks)
+      end_ = PathResult::End::LOOKS;
+    return end_ != PathResult::End::COMPLETE;
+  }
 
   /// @param motions may be nullptr
   void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions)
@@ -31,6 +41,7 @@ private:
   const BoxKernel& kernel_;
   const PathQuery& query_;
   std::int64_t count_ = 0;
+  PathResult::End end_ = PathResult::End::COMPLETE;
 };
 
 /// Encloses both.
@@ -42,24 +53,31 @@ PieceMotion noMotion();
 class SegmentProof
 {
 public:
-  SegmentProof(const Curve& curve, PathLooks& looks) : curve_(curve), looks_(looks) {}
+  /// @param to_the_end whether the open parts are wanted as narrow as doubles allow, or only the verdict
+  SegmentProof(const Curve& curve, PathLooks& looks, bool to_the_end);
 
-  /// @param to_the_end whether good_until and bad_at are wanted as near to each other as doubles allow
-  SegmentCheck run(bool to_the_end);
+  SegmentCheck run();
   /// What the machine does, after INSIDE.
   const PieceMotion& motion() const { return motion_; }
+  /// As PathOffence has them, unless INSIDE.
+  const std::vector<PathPart>& open() const { return open_; }
 
 private:
   bool advance(double first, double last);
   bool pass(double first, double last, BoxVerdict verdict, const PieceMotion& motion);
+  bool refute(double bad_at);
+  bool leaveOpen(double first, double last);
   bool seekBad(double from);
-  bool canDivide(double first, double last) const;
+  bool isBesideOpen(double first) const;
+  double leastPiece(double first) const;
 
   const Curve& curve_;
   PathLooks& looks_;
-  bool to_the_end_ = true;
-  bool is_stuck_ = false;
+  const bool to_the_end_;
+  const std::size_t most_open_;  ///< open parts that are told apart
   SegmentCheck result_;
+  std::vector<PathPart> open_;
+  std::optional<double> seen_bad_;  ///< a point that is proved bad, with others before it that are not looked at yet
   PieceMotion motion_ = noMotion();
 };
 }  // namespace pkm_workspace

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
-#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/report/binding_limit.h"
+#include "pkm_workspace/report/path_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/solid_message.h"
@@ -120,15 +120,6 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
   return message;
 }
 
-std::string describe(const Limit& limit, const Machine& machine)
-{
-  const double value = limit.value.mid();
-  const bool looks_equal = nearly(value, 6) == nearly(limit.bound, 6);
-  return name(limit.kind) + (limit.leg < 0 ? "" : " of " + machine.leg(limit.leg).joint) + ": " +
-         (looks_equal ? exact(value) : nearly(value, 6)) + (limit.isViolated() ? " violates the bound " : ", bound ") +
-         exact(limit.bound);
-}
-
 void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response)
 {
   response.verdict = constantOf(evaluation.verdict);
@@ -155,7 +146,9 @@ void fill(const PathResult& result, const Machine& machine, CheckPath::Response&
   response.looks = result.looks;
   response.offending_segment = -1;
   response.bad_at = NONE;
-  response.message = "proved: every point of the path satisfies the criterion";
+  response.end = static_cast<std::uint8_t>(result.end);  // numbered as PathResult::End
+  response.message =
+      describe(result, machine, [](std::size_t segment) { return "segment " + std::to_string(segment); });
   if (result.motion)
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -171,9 +164,7 @@ void fill(const PathResult& result, const Machine& machine, CheckPath::Response&
   response.bad_at = offence.bad_at.value_or(NONE);
   response.offence = toMessage(offence.point);
   response.limit = toMessage(offence.limit, machine);
-  std::ostringstream text;
-  text << (offence.bad_at ? "proved bad" : "undecided") << " on segment " << offence.segment << " at "
-       << offence.bad_at.value_or(offence.good_until) << " of its way; " << describe(offence.limit, machine);
-  response.message = text.str();
+  for (const PathPart& part : offence.open)
+    response.open.push_back(toMessage(Interval(part.first, part.last)));
 }
 }  // namespace pkm_workspace

@@ -2,6 +2,7 @@
 #include "pkm_workspace/ros/planner_service.h"
 
 #include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/path_message.h"

@@ -2,9 +2,9 @@
 #include "pkm_workspace/ros/tool.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/solid_message.h"
@@ -16,28 +16,23 @@ namespace
 {
 constexpr int HALVINGS = 60;
 
-std::string limitObjection(const Machine& machine, const Eigen::Vector3d& rho)
+/// In floating point, as the tool is moved; the words say what the enclosures prove.
+std::string limitObjection(const Machine& machine, const Configuration& there)
 {
-  std::ostringstream text;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Leg& leg = machine.leg(i);
-    if (leg.limits.contains(rho[i]))
-      continue;
-    text << (text.tellp() > 0 ? "; " : "") << leg.joint << " would be at " << rho[i] << " m, its limits are ["
-         << leg.limits.lower() << ", " << leg.limits.upper() << "] m";
-  }
-  return text.str();
+  std::string text;
+  for (const Limit& limit : jointLimits(machine, there.rho))
+    if (limit.margin.mid() < 0.0)
+      text += (text.empty() ? "" : "; ") + describe(limit, machine);
+  return text;
 }
 
-std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, const Eigen::Vector3d& p)
+std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, const Configuration& there)
 {
   if (aspect == Criterion::Aspect::BOTH)
     return "";
   const int wanted = aspect == Criterion::Aspect::OWN ? machine.aspect() : -machine.aspect();
-  const auto there = configurationAt(machine, p);
-  const bool fits = there && (wanted > 0 ? there->det_a.certainlyPositive() : there->det_a.certainlyNegative());
-  return fits ? "" : "beyond a parallel singularity: det A does not have the sign of the aspect";
+  const bool fits = wanted > 0 ? there.det_a.certainlyPositive() : there.det_a.certainlyNegative();
+  return fits ? "" : "at or beyond a parallel singularity: det A does not have the sign of the aspect";
 }
 }  // namespace
 
@@ -109,9 +104,11 @@ std::string Tool::objectionTo(const Eigen::Vector3d& p) const
   try
   {
     jointValues(context_.urdf, p);
-    const auto rho = inverseKinematics(machine, p);
-    const std::string limits = criterion.joint_limits ? limitObjection(machine, *rho) : "";
-    return limits.empty() ? aspectObjection(machine, criterion.aspect, p) : limits;
+    const auto there = configurationAt(machine, p);
+    if (!there)
+      return "a strut is within rounding of being across its rail (serial singularity)";
+    const std::string limits = criterion.joint_limits ? limitObjection(machine, *there) : "";
+    return limits.empty() ? aspectObjection(machine, criterion.aspect, *there) : limits;
   }
   catch (const std::invalid_argument& unreachable)
   {

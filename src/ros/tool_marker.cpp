@@ -8,9 +8,9 @@
 
 #include "handles.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
-#include "pkm_workspace/ros/path_message.h"
 #include "pkm_workspace/ros/reply.h"
 
 namespace pkm_workspace

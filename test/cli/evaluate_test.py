@@ -58,7 +58,7 @@ class Evaluate(CommandTest):
         self.assertIs(answer["reachable"], True)
         self.assertIs(answer["aspect_ok"], False)
         self.assertIs(answer["dextrous"], False)
-        self.assertRegex(answer["message"], "det A has the other sign")
+        self.assertRegex(answer["message"], "det A has the sign of the other aspect")
 
     def test_psi_bounds_decide(self):
         point = (0.3, 0.3, 0.3)
@@ -67,9 +67,9 @@ class Evaluate(CommandTest):
         refused = self.evaluate(ORTHOGLIDE, point, "--psi-max", largest - 1e-9)
         self.assertIs(refused["dextrous"], False)
         self.assertEqual(refused["psi_max"], largest - 1e-9)
-        self.assertRegex(refused["message"], "largest velocity transmission factor is .*, above")
+        self.assertRegex(refused["message"], "largest velocity transmission factor is above .*, by at most ")
         below = self.evaluate(ORTHOGLIDE, point, "--psi-min", least + 1e-9)
-        self.assertRegex(below["message"], "least velocity transmission factor is .*, below")
+        self.assertRegex(below["message"], "least velocity transmission factor is below .*, by at most ")
 
     def test_force_factors_and_condition_decide(self):
         """Force factors are the reciprocals of psi; the condition number is the ratio of the outer two."""
@@ -112,7 +112,7 @@ class Evaluate(CommandTest):
         refused = self.evaluate(urdf, point, "--joint-limits", "on")
         self.assertIs(refused["dextrous"], False)
         self.assertIs(refused["reachable"], True)
-        self.assertRegex(refused["message"], "joint 'rail_x' would be at 0.25 m, its limits are -0.1 m and 0.1 m")
+        self.assertRegex(refused["message"], "joint 'rail_x' would be at 0.25 m, above its upper limit of 0.1 m")
 
     def test_text_names_values_with_units(self):
         text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--point", "-0.1", "0", "0.2")

@@ -48,7 +48,24 @@ class Path(CommandTest):
         self.assertLess(first["bad_at"] - first["good_until"], 1e-9)
         self.assertEqual(first["binding"]["limit"], "psi_min")
         self.assertIsNone(answer["motion"])
-        self.assertRegex(answer["message"], "leaves the set at .*path.txt:3 .line., .*least velocity transmission")
+        self.assertRegex(answer["message"], r"leaves the set on .*path.txt:3 .line., near t = .* of its way: "
+                         "the least velocity transmission")
+
+    def test_a_touch_is_not_taken_for_the_offence(self):
+        answer = self.path("start -0.079970593403865281 -0.22351999604761633 0.18342168780574239",
+                           "line 0.8108995385756147 -0.37194738107784847 -0.8025565924264686",
+                           options=("--psi-min", "0.7974806294181559"))
+        first = answer["first"]
+        touch, leaves = first["open"]
+        self.assertAlmostEqual(touch[0], 0.584085, places=5)
+        self.assertAlmostEqual(touch[1], 0.584085, places=5)
+        self.assertGreater(leaves[0], 0.7, "there the path is dextrous")
+        self.assertLess(leaves[1] - leaves[0], 1e-9)
+        self.assertEqual([first["good_until"], first["bad_at"]], [touch[0], leaves[1]])
+        self.assertEqual(answer["end"], "complete")
+        self.assertEqual(first["binding"]["limit"], "psi_max")
+        self.assertRegex(answer["message"], r"leaves the set on .* near t = 0\.7.*largest velocity transmission factor "
+                         r".*\. Before that it comes within rounding of the border near t = 0\.58")
 
     def test_joint_limits(self):
         limited = self.file("limited.urdf", self.with_limits(ORTHOGLIDE, -0.05, 0.2))

@@ -15,7 +15,7 @@ import sys
 
 # Each folder, with those of its own package that it may include besides itself; "" is what stands beside the folders.
 BELOW_DEXTERITY = {"interval", "machine"}
-CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "study", "urdf_io"}
+CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "study", "urdf_io"}
 LAYERS = {
     "": set(),
     "interval": set(),
@@ -23,6 +23,7 @@ LAYERS = {
     "dexterity": BELOW_DEXTERITY,
     "region": BELOW_DEXTERITY | {"dexterity"},
     "paving": BELOW_DEXTERITY | {"dexterity"},
+    "report": BELOW_DEXTERITY | {"dexterity", "region"},
     "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
     "cli": CORE,

@@ -17,23 +17,6 @@ namespace
 using Eigen::Vector3d;
 constexpr unsigned SEED = 20261124;
 
-/// Hands out random segments of which the start is good, or any.
-template <class Check>
-void forEachSegment(int count, const Check& check)
-{
-  for (const Question& question : everyQuestion())
-  {
-    const PointEvaluator evaluator(question.machine, question.criterion);
-    const Oracle oracle(question.machine, question.criterion);
-    RandomBoxes random(SEED);
-    for (int k = 0; k < cases(count) && !testing::Test::HasFailure(); ++k)
-    {
-      SCOPED_TRACE(question.machine.name() + ", seed " + std::to_string(SEED) + ", case " + std::to_string(k));
-      check(evaluator, oracle, randomSegment(question.machine, random), random);
-    }
-  }
-}
-
 /// Where the segment leaves the set, by bisection to 60 digits between samples; nothing when no sample is bad.
 std::optional<Number> border(const Oracle& oracle, const ExactSegment& exact)
 {
@@ -73,19 +56,21 @@ void expectHolds(const PathMotion& motion, const Machine& machine, const Vector3
 TEST(PathCheck, verdictsAgreeWithTheOracle)
 {
   std::array<int, 3> found{};
-  forEachSegment(40, [&](const PointEvaluator& evaluator, const Oracle& oracle, const ExactSegment& exact,
-                         RandomBoxes& random) {
-    const PathResult result = checkPath(evaluator, { exact.segment });
-    ++found[static_cast<std::size_t>(result.verdict)];
-    const SegmentCheck& check = result.segments.at(0);
-    EXPECT_EQ(check.verdict, result.verdict);
-    EXPECT_EQ(result.first.has_value(), result.verdict != Containment::INSIDE);
-    EXPECT_EQ(check.good_until == 1.0, result.verdict == Containment::INSIDE);
-    for (int k = 0; k < 20; ++k)
-      EXPECT_TRUE(check.good_until == 0.0 || oracle.isGood(exact.point(check.good_until * random.between(0.0, 1.0))));
-    ASSERT_EQ(check.bad_at.has_value(), result.verdict == Containment::OUTSIDE);
-    EXPECT_FALSE(check.bad_at && oracle.isGood(exact.point(*check.bad_at))) << *check.bad_at;
-  });
+  forEachSegment(
+      SEED, 40,
+      [&](const PointEvaluator& evaluator, const Oracle& oracle, const ExactSegment& exact, RandomBoxes& random) {
+        const PathResult result = checkPath(evaluator, { exact.segment });
+        ++found[static_cast<std::size_t>(result.verdict)];
+        const SegmentCheck& check = result.segments.at(0);
+        EXPECT_EQ(check.verdict, result.verdict);
+        EXPECT_EQ(result.first.has_value(), result.verdict != Containment::INSIDE);
+        EXPECT_EQ(check.good_until == 1.0, result.verdict == Containment::INSIDE);
+        for (int k = 0; k < 20; ++k)
+          EXPECT_TRUE(check.good_until == 0.0 ||
+                      oracle.isGood(exact.point(check.good_until * random.between(0.0, 1.0))));
+        ASSERT_EQ(check.bad_at.has_value(), result.verdict == Containment::OUTSIDE);
+        EXPECT_FALSE(check.bad_at && oracle.isGood(exact.point(*check.bad_at))) << *check.bad_at;
+      });
   EXPECT_GT(found[0], cases(20)) << "inside";
   EXPECT_GT(found[1], cases(20)) << "outside";
   EXPECT_LE(found[2], cases(20)) << "undecided";
@@ -94,19 +79,21 @@ TEST(PathCheck, verdictsAgreeWithTheOracle)
 TEST(PathCheck, theFirstOffenceIsWhereMultiplePrecisionHasIt)
 {
   int crossings = 0;
-  forEachSegment(12, [&](const PointEvaluator& evaluator, const Oracle& oracle, const ExactSegment& exact, auto&) {
-    const PathResult result = checkPath(evaluator, { exact.segment });
-    const auto expected = border(oracle, exact);
-    if (!expected || *expected == 0)
-      return;
-    ASSERT_TRUE(result.first);
-    EXPECT_LE(result.first->good_until, *expected);
-    ASSERT_TRUE(result.first->bad_at);
-    ++crossings;
-    EXPECT_LE(*result.first->bad_at - result.first->good_until, 1e-6);
-    // a sample may miss an earlier offence: then the one found before is proved, and tried by the other tests
-    EXPECT_LE(Number(*result.first->bad_at), *expected + Number(1e-6));
-  });
+  forEachSegment(SEED, 12,
+                 [&](const PointEvaluator& evaluator, const Oracle& oracle, const ExactSegment& exact, auto&) {
+                   const PathResult result = checkPath(evaluator, { exact.segment });
+                   const auto expected = border(oracle, exact);
+                   if (!expected || *expected == 0)
+                     return;
+                   ASSERT_TRUE(result.first);
+                   EXPECT_LE(result.first->good_until, *expected);
+                   ASSERT_TRUE(result.first->bad_at);
+                   ++crossings;
+                   EXPECT_LE(*result.first->bad_at - result.first->good_until, 1e-6);
+                   // a sample may miss an earlier offence: then the one found before is proved, and tried by the other
+                   // tests
+                   EXPECT_LE(Number(*result.first->bad_at), *expected + Number(1e-6));
+                 });
   EXPECT_GT(crossings, cases(30));
 }
 
@@ -116,7 +103,7 @@ TEST(PathCheck, motionsHoldEveryPointAndSpeedsTheirDifferences)
   PathQuery query;
   query.tool_speed = 0.25;
   forEachSegment(
-      40, [&](const PointEvaluator& evaluator, const Oracle&, const ExactSegment& exact, RandomBoxes& random) {
+      SEED, 40, [&](const PointEvaluator& evaluator, const Oracle&, const ExactSegment& exact, RandomBoxes& random) {
         const PathResult result = checkPath(evaluator, { exact.segment }, query);
         ASSERT_EQ(result.motion.has_value(), result.verdict == Containment::INSIDE);
         if (!result.motion)

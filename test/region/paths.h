@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/region/path.h"
 #include "support/cases.h"
 #include "support/machines.h"
@@ -120,6 +124,23 @@ inline ExactSegment randomSegment(const Machine& machine, RandomBoxes& random)
   const double lift = random.between(0.0, 1.0) < 0.5 ? 0.0 : size * machine.scale() * random.between(-1.0, 1.0);
   const Box cube{ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) };
   return exactArc(start, point(), random.pointIn(cube), size * random.between(-6.0, 6.0), lift);
+}
+
+/// Hands out random segments of which the start is good, or any.
+template <class Check>
+inline void forEachSegment(unsigned seed, int count, const Check& check)
+{
+  for (const Question& question : everyQuestion())
+  {
+    const PointEvaluator evaluator(question.machine, question.criterion);
+    const Oracle oracle(question.machine, question.criterion);
+    RandomBoxes random(seed);
+    for (int k = 0; k < cases(count) && !testing::Test::HasFailure(); ++k)
+    {
+      SCOPED_TRACE(question.machine.name() + ", seed " + std::to_string(seed) + ", case " + std::to_string(k));
+      check(evaluator, oracle, randomSegment(question.machine, random), random);
+    }
+  }
 }
 
 }  // namespace test

@@ -86,6 +86,10 @@ TEST(CheckPath, namesTheFirstOffence)
   EXPECT_EQ(1, response.offending_segment);
   EXPECT_LE(response.good_until, response.bad_at);
   EXPECT_LE(response.bad_at - response.good_until, 1e-6);
+  ASSERT_EQ(1U, response.open.size());
+  EXPECT_EQ(response.good_until, response.open[0].lower);
+  EXPECT_EQ(response.bad_at, response.open[0].upper);
+  EXPECT_EQ(0U, response.message.find("Proved: the path leaves the set on segment 1, near t = ")) << response.message;
   const auto offence = evaluate(response.offence.x, response.offence.y, response.offence.z);
   EXPECT_NE(EvaluatePoint::Response::INSIDE, offence.verdict);
   EXPECT_EQ(response.limit.kind, offence.limit.kind);

@@ -5,8 +5,9 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
+#include <utility>
 
-#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
@@ -57,6 +58,39 @@ public:
     return dot(axisOf(i), offset) - eta;
   }
 
+  /// What a limit is about, at a point that all struts reach; for its reach anywhere.
+  Number valueOf(const Limit& limit, const Vector& point) const
+  {
+    using Kind = Limit::Kind;
+    if (limit.kind == Kind::REACH)
+      return across(limit.leg, point);
+    if (limit.kind == Kind::JOINT_LOWER || limit.kind == Kind::JOINT_UPPER)
+      return joint(limit.leg, point);
+    std::array<Vector, 3> strut;
+    Vector eta;
+    for (int i = 0; i < 3; ++i)
+      solveLeg(i, point, strut[static_cast<std::size_t>(i)], eta[static_cast<std::size_t>(i)]);
+    if (limit.kind == Kind::ASPECT)
+    {
+      const int wanted = criterion_.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
+      return wanted * det(strut) / (length(0) * length(1) * length(2));
+    }
+    const auto [least, largest] = squaredFactors(strut, eta);
+    switch (limit.kind)
+    {
+      case Kind::PSI_MIN:
+        return sqrt(least);
+      case Kind::PSI_MAX:
+        return sqrt(largest);
+      case Kind::FORCE_MIN:
+        return 1 / sqrt(largest);
+      case Kind::FORCE_MAX:
+        return 1 / sqrt(least);
+      default:
+        return sqrt(largest / least);
+    }
+  }
+
 private:
   static Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -97,9 +131,29 @@ private:
     return !criterion_.joint_limits || (rho >= leg.limits.lower() && rho <= leg.limits.upper());
   }
 
-  /// psi_3 / psi_1: the root of the quotient of the extreme eigenvalues of B^-1 A A^T B^-1, by the roots of a cubic in
-  /// the form of Vieta.
+  Number length(int i) const { return machine_.leg(i).length.mid(); }
+
+  Number across(int i, const Vector& point) const
+  {
+    Vector offset;
+    for (std::size_t k = 0; k < 3; ++k)
+      offset[k] = point[k] - machine_.center(i)[k].mid();
+    const Vector e = axisOf(i);
+    const Number along = dot(e, offset);
+    for (std::size_t k = 0; k < 3; ++k)
+      offset[k] -= along * e[k];
+    return sqrt(dot(offset, offset));
+  }
+
+  /// psi_3 / psi_1.
   static Number condition(const std::array<Vector, 3>& strut, const Vector& eta)
+  {
+    const auto [least, largest] = squaredFactors(strut, eta);
+    return least > 0 ? Number(sqrt(largest / least)) : Number(1e300);
+  }
+
+  /// psi_1^2 and psi_3^2: the extreme eigenvalues of B^-1 A A^T B^-1, by the roots of a cubic in the form of Vieta.
+  static std::pair<Number, Number> squaredFactors(const std::array<Vector, 3>& strut, const Vector& eta)
   {
     std::array<Vector, 3> m;
     for (std::size_t i = 0; i < 3; ++i)
@@ -114,12 +168,11 @@ private:
     }
     const Number spread = sqrt(squares / 6);
     if (spread == 0)
-      return 1;
+      return { mean, mean };
     const Number cosine = det(m) / (2 * spread * spread * spread);
     const Number angle = acos(cosine < -1 ? Number(-1) : cosine > 1 ? Number(1) : cosine) / 3;
     const Number third = 2 * boost::math::constants::pi<Number>() / 3;
-    const Number least = mean + 2 * spread * cos(angle + third);
-    return least > 0 ? Number(sqrt((mean + 2 * spread * cos(angle)) / least)) : Number(1e300);
+    return { mean + 2 * spread * cos(angle + third), mean + 2 * spread * cos(angle) };
   }
 
   /// Whether sign * (A A^T - psi^2 B^2) is positive semidefinite, by all its principal minors.

@@ -33,6 +33,9 @@ struct Limit
   bool isViolated() const { return margin.certainlyNegative(); }
 };
 
+/// The limits of the joints that the machine has, where it stands like this.
+std::vector<Limit> jointLimits(const Machine& machine, const std::array<Interval, 3>& rho);
+
 /// "reach", "joint_lower", ..., "kappa_max".
 std::string name(Limit::Kind kind);
 

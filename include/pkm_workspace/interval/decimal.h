@@ -12,6 +12,8 @@ namespace pkm_workspace
 std::string roundedDown(double value, int decimals);
 /// The smallest number with @p decimals digits after the point that is not below @p value.
 std::string roundedUp(double value, int decimals);
+/// The smallest number with @p digits significant digits that is not below @p value.
+std::string significantAbove(double value, int digits);
 /// 15 to 17 digits, as many as it takes to read back as exactly this double.
 std::string exact(double value);
 /// Significant digits: for values in floating point, of which nothing is proved.

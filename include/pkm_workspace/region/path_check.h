@@ -39,32 +39,54 @@ struct SegmentCheck
   std::optional<PathMotion> motion;  ///< with INSIDE
 };
 
+/// A part of a segment: first <= t <= last.
+struct PathPart
+{
+  double first = 0.0;
+  double last = 0.0;
+};
+
 /// Where a path is not, or not surely, good for the first time.
 struct PathOffence
 {
   std::size_t segment = 0;       ///< index
   double good_until = 0.0;       ///< the first offence is at this t of the segment or later, ...
   std::optional<double> bad_at;  ///< ... and at this t or before; nothing where no bad point is proved on the segment
-  Eigen::Vector3d point;         ///< nearly the point at bad_at, or at good_until [m]
-  Limit limit;                   ///< which condition binds there, and which leg's
+  /// Where exactly it can be: ascending and apart, one at least. Every other point of the segment is proved good, up to
+  /// bad_at or its end. The first part begins at good_until; the last one ends at bad_at, where there is that: there
+  /// the path leaves the set, if it has not in one of the others, in which it comes within rounding of the border.
+  std::vector<PathPart> open = {};
+  Eigen::Vector3d point;  ///< nearly the point at bad_at, or at good_until [m]
+  Limit limit;            ///< which condition binds there, and which leg's
 };
 
 /// The answer about a path.
 struct PathResult
 {
+  /// Why nothing more was looked at.
+  enum class End
+  {
+    COMPLETE,  ///< whatever stays undecided is within rounding of the border
+    LOOKS,     ///< max_looks ended it
+    STOPPED    ///< it was told to stop
+  };
+
   Containment verdict = Containment::INSIDE;  ///< INSIDE iff all segments are, OUTSIDE where one is
   std::vector<SegmentCheck> segments = {};    ///< one for each segment
   std::optional<PathOffence> first = {};      ///< of the first segment that is not INSIDE
+  std::optional<PathOffence> proved = {};     ///< of the first segment that is OUTSIDE; its open parts are not narrowed
   std::optional<PathMotion> motion = {};      ///< over the whole path, with INSIDE
   std::int64_t looks = 0;                     ///< pieces looked at
+  End end = End::COMPLETE;
 };
 
 /// Whether every point of the path satisfies the criterion. There is no tolerance: a path that touches the border of
 /// the set is OUTSIDE or UNDECIDED, never INSIDE. Segments need not join. An empty path is INSIDE.
 ///
 /// Pieces of the segments are enclosed by boxes with edges along them and looked at as a whole, side by side. On the
-/// first segment that is not INSIDE they are divided until doubles end, so that good_until and bad_at are neighbours
-/// up to rounding where the path crosses the border; later segments are divided no further than their verdicts need.
+/// first segment that is not INSIDE they are divided until doubles end, so that the ends of an open part are neighbours
+/// up to rounding where the path crosses the border, and near to each other where it touches it; later segments are
+/// divided no further than their verdicts need.
 /// @throws std::invalid_argument when the criterion or the query is not valid
 PathResult checkPath(const PointEvaluator& evaluator, const std::vector<PathSegment>& segments,
                      const PathQuery& query = {});

@@ -21,8 +21,6 @@ std::string frameOf(const CheckPath::Request& request);
 
 /// @param machine whose legs the limit counts
 BindingLimit toMessage(const Limit& limit, const Machine& machine);
-/// One phrase for people: "largest velocity factor = 2.31, bound 2".
-std::string describe(const Limit& limit, const Machine& machine);
 
 /// Fills all that the evaluation tells.
 void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response);

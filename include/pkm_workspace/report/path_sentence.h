@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "pkm_workspace/region/path_check.h"
+
+namespace pkm_workspace
+{
+/// Says what is proved about a path, where it first offends, and which limit binds there. "The set" is what the
+/// criterion asks for.
+/// @param place names a segment by its index: "segment 3"
+std::string describe(const PathResult& result, const Machine& machine,
+                     const std::function<std::string(std::size_t segment)>& place);
+}  // namespace pkm_workspace

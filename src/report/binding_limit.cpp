@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/report/binding_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pkm_workspace/interval/decimal.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Kind = Limit::Kind;
+
+/// Digits of a value that is far enough from its bound, and what is not: a share of the longest strut, of the bound.
+constexpr int DIGITS = 6;
+constexpr double NEAR = 1e-9;
+
+bool isAtLeast(Kind kind)
+{
+  return kind == Kind::JOINT_LOWER || kind == Kind::ASPECT || kind == Kind::PSI_MIN || kind == Kind::FORCE_MIN;
+}
+
+/// How a value and its bound stand to each other, in words.
+struct Relation
+{
+  bool is_violated = false;
+  bool is_kept = false;
+  std::string value;     ///< to six digits, on its side of the bound; empty where they do not tell or are not proved
+  std::string distance;  ///< they are no farther apart than this; empty where there is no such number
+  std::string side;      ///< "above" or "below": where the value is, unless the enclosures leave that open
+};
+
+std::string unitOf(Kind kind)
+{
+  return kind == Kind::REACH || kind == Kind::JOINT_LOWER || kind == Kind::JOINT_UPPER ? " m" : "";
+}
+
+Relation relationOf(const Limit& limit, const Machine& machine)
+{
+  Relation relation;
+  relation.is_violated = limit.isViolated();
+  relation.is_kept = limit.margin.certainlyPositive();
+  const bool is_below = relation.is_violated == isAtLeast(limit.kind);
+  relation.side = is_below ? "below" : "above";
+  const double distance = limit.margin.magnitude();
+  if (std::isfinite(distance))
+    relation.distance = significantAbove(distance, 2) + unitOf(limit.kind);
+  const double unit = unitOf(limit.kind).empty() ? std::max(1.0, limit.bound) : machine.scale();
+  if (!limit.value.isBounded() || !(relation.is_violated || relation.is_kept) || !(distance > NEAR * unit))
+    return relation;
+  const std::string value = nearly(limit.value.lower(), DIGITS);
+  const double number = std::stod(value);
+  const double bound = std::stod(nearly(limit.bound, DIGITS));
+  const bool tells = is_below ? number < std::min(bound, limit.bound) : number > std::max(bound, limit.bound);
+  if (tells && value == nearly(limit.value.upper(), DIGITS))
+    relation.value = value + unitOf(limit.kind);
+  return relation;
+}
+
+/// ", by at most 3e-12 m"
+std::string byAtMost(const Relation& relation)
+{
+  return relation.distance.empty() ? "" : ", by at most " + relation.distance;
+}
+
+std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
+{
+  const std::string strut = "the strut of '" + leg.joint + "' is " + nearly(limit.bound) + " m long";
+  if (!relation.value.empty())
+    return strut + " and " + (relation.is_violated ? "would have to reach " : "reaches ") + relation.value +
+           " across its rail";
+  if (relation.is_violated)
+    return strut + ", too short to reach across its rail" + byAtMost(relation);
+  return strut + " and reaches as far across its rail" + (relation.is_kept ? " or less" : "") +
+         (relation.distance.empty() ? "" : ", to within " + relation.distance);
+}
+
+/// @param name of what is limited @param is "is" or "would be" @param bound the limit in words
+std::string phrase(const std::string& name, const std::string& is, const std::string& bound, const Relation& relation)
+{
+  if (!relation.is_violated && !relation.is_kept)
+    return name + (relation.distance.empty() ? " is not known well enough to tell it from " + bound
+                                             : " reaches " + bound + ", to within " + relation.distance);
+  if (relation.value.empty())
+    return name + " " + is + " " + relation.side + " " + bound + byAtMost(relation);
+  return name + " " + is + " " + relation.value + ", " + relation.side + " " + bound;
+}
+
+std::string jointPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
+{
+  const std::string bound = std::string("its ") + (limit.kind == Kind::JOINT_LOWER ? "lower" : "upper") + " limit of " +
+                            exact(limit.bound) + " m";
+  const std::string is = relation.is_violated ? "would be" : "is";
+  return phrase("joint '" + leg.joint + "'", relation.value.empty() ? is : is + " at", bound, relation);
+}
+
+std::string aspectPhrase(const Relation& relation)
+{
+  if (relation.is_violated)
+    return "det A has the sign of the other aspect, beyond a parallel singularity";
+  return phrase("det A over the product of the struts' lengths, with the sign of the aspect,", "is", "0", relation);
+}
+
+std::string factorPhrase(const Limit& limit, const Relation& relation)
+{
+  const char* const name = limit.kind == Kind::PSI_MIN     ? "the least velocity transmission factor"
+                           : limit.kind == Kind::PSI_MAX   ? "the largest velocity transmission factor"
+                           : limit.kind == Kind::FORCE_MIN ? "the least force transmission factor"
+                           : limit.kind == Kind::FORCE_MAX ? "the largest force transmission factor"
+                                                           : "the condition number of J";
+  return phrase(name, "is", exact(limit.bound), relation);
+}
+}  // namespace
+
+std::string describe(const Limit& limit, const Machine& machine)
+{
+  const Relation relation = relationOf(limit, machine);
+  switch (limit.kind)
+  {
+    case Kind::REACH:
+      return reachPhrase(machine.leg(limit.leg), limit, relation);
+    case Kind::JOINT_LOWER:
+    case Kind::JOINT_UPPER:
+      return jointPhrase(machine.leg(limit.leg), limit, relation);
+    case Kind::ASPECT:
+      return aspectPhrase(relation);
+    default:
+      return factorPhrase(limit, relation);
+  }
+}
+
+std::vector<std::string> violations(const PointEvaluation& there, const Machine& machine)
+{
+  std::vector<std::string> found;
+  for (const Limit& limit : there.limits)
+    if (limit.isViolated())
+      found.push_back(describe(limit, machine));
+  if (found.empty() && !there.has_values && there.verdict == BoxVerdict::OUTSIDE)
+    found.push_back("a strut is across its rail (serial singularity)");
+  return found;
+}
+}  // namespace pkm_workspace
