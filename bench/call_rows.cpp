@@ -95,7 +95,10 @@ ros::ServiceServer addPathRows(const std::string& row, std::uint8_t kind, ros::N
   const std::string idle = "idle_path_" + std::to_string(kind);
   addComputation(row, [request = service.request] {
     const PointEvaluator evaluator(orthoglideCube().machine, Criterion());
-    benchmark::DoNotOptimize(checkPath(evaluator, segmentsOf(request)));
+    const PathQuery query;
+    PathChecker checker(evaluator, query, [](const SegmentCheck&) {});
+    forEachSegment(request, [&checker](const PathSegment& segment) { checker.add(segment); });
+    benchmark::DoNotOptimize(checker.finish());
   });
   addCall<CheckPath>(row, IDLE, idle, service.request);
   addCall<CheckPath>(row, CALL, name, service.request);

@@ -58,7 +58,8 @@ public:
                        throwProblems(problems);
                      });
     options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
-    options.count("max-looks", query_.max_looks, MOST_BOXES, "pieces looked at before the rest stays undecided");
+    options.count("max-looks", query_.max_looks, MOST_BOXES,
+                  "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     criterion_options_.declare(options, criterion_);
     options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
   }

@@ -29,54 +29,76 @@ PathMotion asPathMotion(const PieceMotion& motion, double tool_speed)
   return result;
 }
 
-/// One path: all segments are looked at piece by piece, and those that this does not prove INSIDE are followed one by
-/// one.
-class PathProof
+}  // namespace
+
+/// Some segments at a time: all are looked at piece by piece, and those that this does not prove INSIDE are followed
+/// one by one.
+class PathChecker::Proof
 {
 public:
-  PathProof(const PointEvaluator& evaluator, const std::vector<PathSegment>& segments, const PathQuery& query)
-    : evaluator_(evaluator)
-    , segments_(segments)
-    , query_(query)
-    , looks_(evaluator.test().kernel(), query)
-    , motions_(segments.size(), noMotion())
-    , is_open_(segments.size(), 0)
+  Proof(const PointEvaluator& evaluator, const PathQuery& query, const Tell& tell)
+    : evaluator_(evaluator), query_(validated(query)), tell_(tell), looks_(evaluator.test().kernel(), query)
   {
-    result_.segments.resize(segments.size());
+    open_.reserve(AT_A_TIME);
   }
 
-  PathResult run()
+  void add(const PathSegment& segment)
   {
-    for (std::size_t i = 0; i < segments_.size() && !looks_.isOver(); ++i)
-      addPieces(i);
-    flush();
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-      settle(i);
-    PieceMotion sum = noMotion();
-    for (const PieceMotion& motion : motions_)
-      merge(motion, sum);
-    if (result_.verdict == Containment::INSIDE && !segments_.empty())
-      result_.motion = asPathMotion(sum, query_.tool_speed);
+    open_.push_back({ segment });
+    if (open_.size() == AT_A_TIME)
+      checkOpen();
+  }
+
+  PathResult finish()
+  {
+    checkOpen();
+    if (result_.verdict == Containment::INSIDE && done_ > 0)
+      result_.motion = asPathMotion(motion_, query_.tool_speed);
     result_.looks = looks_.count();
     result_.end = looks_.end();
     return std::move(result_);
   }
 
 private:
-  void addPieces(std::size_t segment)
+  struct Open
   {
-    const Curve& curve = segments_[segment].curve();
+    PathSegment segment;
+    PieceMotion motion = noMotion();
+    bool is_good = true;  ///< all its pieces are INSIDE
+  };
+
+  void checkOpen()
+  {
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      addPieces(i);
+    flush();
+    for (Open& open : open_)
+    {
+      settle(open);
+      ++done_;
+    }
+    open_.clear();
+  }
+
+  void addPieces(std::size_t index)
+  {
+    const Curve& curve = open_[index].segment.curve();
     const double longest = LONGEST_PIECE * evaluator_.machine().scale();
     const double wanted = std::max(curve.length().upper() / longest, curve.angle().magnitude() / LARGEST_ANGLE);
     const double parts = std::max(1.0, std::min(MOST_PIECES, std::ceil(wanted)));
+    looks_.allowFor(static_cast<std::int64_t>(parts));
+    if (looks_.isOver())
+    {
+      open_[index].is_good = false;
+      return;
+    }
     for (double k = 0.0; k < parts; k += 1.0)
     {
-      owner_[count_] = segment;
+      owner_[count_] = index;
       pieces_[count_] = curve.piece(k / parts, (k + 1.0) / parts);
       if (++count_ == BATCH)
         flush();
     }
-    looked_at_ = segment + 1;
   }
 
   void flush()
@@ -84,69 +106,76 @@ private:
     looks_.look(pieces_.data(), count_, verdicts_.data(), found_.data());
     for (std::size_t k = 0; k < count_; ++k)
       if (verdicts_[k] == BoxVerdict::INSIDE)
-        merge(found_[k], motions_[owner_[k]]);
+        merge(found_[k], open_[owner_[k]].motion);
       else
-        is_open_[owner_[k]] = 1;
+        open_[owner_[k]].is_good = false;
     count_ = 0;
   }
 
-  void settle(std::size_t segment)
+  void settle(Open& open)
   {
-    SegmentCheck& check = result_.segments[segment];
-    std::vector<PathPart> open = { { 0.0, 1.0 } };
-    if (segment < looked_at_ && !is_open_[segment])
+    SegmentCheck check;
+    std::vector<PathPart> parts = { { 0.0, 1.0 } };
+    if (open.is_good)
     {
       check.verdict = Containment::INSIDE;
       check.good_until = 1.0;
     }
     else if (!looks_.isOver())
     {
-      SegmentProof proof(segments_[segment].curve(), looks_, !result_.first);
+      SegmentProof proof(open.segment.curve(), looks_, !result_.first);
       check = proof.run();
-      open = proof.open();
-      motions_[segment] = proof.motion();
+      parts = proof.open();
+      open.motion = proof.motion();
     }
     if (check.verdict == Containment::INSIDE)
-      check.motion = asPathMotion(motions_[segment], query_.tool_speed);
+    {
+      check.motion = asPathMotion(open.motion, query_.tool_speed);
+      merge(open.motion, motion_);
+    }
     else
-      offend(segment, open);
+      offend(open.segment, check, parts);
+    tell_(check);
   }
 
-  void offend(std::size_t segment, const std::vector<PathPart>& open)
+  void offend(const PathSegment& segment, const SegmentCheck& check, const std::vector<PathPart>& parts)
   {
-    const SegmentCheck& check = result_.segments[segment];
+    const bool is_outside = check.verdict == Containment::OUTSIDE;
     if (result_.verdict != Containment::OUTSIDE)
       result_.verdict = check.verdict;
     if (!result_.first)
-      result_.first = offenceOf(segment, open);
-    if (!result_.proved && check.verdict == Containment::OUTSIDE)
-      result_.proved = result_.first->segment == segment ? *result_.first
-                                                         : offenceOf(segment, { { check.good_until, *check.bad_at } });
+    {
+      result_.first = offenceOf(segment, check, parts);
+      if (is_outside)
+        result_.proved = result_.first;
+    }
+    else if (is_outside && !result_.proved)
+      result_.proved = offenceOf(segment, check, { { check.good_until, *check.bad_at } });
   }
 
-  PathOffence offenceOf(std::size_t segment, const std::vector<PathPart>& open) const
+  PathOffence offenceOf(const PathSegment& segment, const SegmentCheck& check, const std::vector<PathPart>& parts) const
   {
-    const SegmentCheck& check = result_.segments[segment];
     PathOffence offence;
-    offence.segment = segment;
+    offence.segment = done_;
     offence.good_until = check.good_until;
     offence.bad_at = check.bad_at;
-    offence.open = open;
-    offence.point = segments_[segment].point(check.bad_at.value_or(check.good_until));
+    offence.open = parts;
+    offence.point = segment.point(check.bad_at.value_or(check.good_until));
     offence.limit = evaluator_(offence.point).binding();
     return offence;
   }
 
-  static constexpr std::size_t BATCH = 32;
+  static constexpr std::size_t AT_A_TIME = 256;  ///< segments
+  static constexpr std::size_t BATCH = 32;       ///< pieces that are looked at side by side
 
   const PointEvaluator& evaluator_;
-  const std::vector<PathSegment>& segments_;
   const PathQuery& query_;
+  const Tell tell_;
   PathLooks looks_;
   PathResult result_;
-  std::vector<PieceMotion> motions_;  ///< of each segment
-  std::vector<char> is_open_;         ///< segments of which a piece is not INSIDE
-  std::size_t looked_at_ = 0;         ///< segments of which all pieces are
+  PieceMotion motion_ = noMotion();  ///< over all segments that are INSIDE
+  std::size_t done_ = 0;             ///< segments
+  std::vector<Open> open_;
 
   std::array<std::size_t, BATCH> owner_;
   std::array<CurvePiece, BATCH> pieces_;
@@ -154,18 +183,42 @@ private:
   std::array<PieceMotion, BATCH> found_;
   std::size_t count_ = 0;
 };
-}  // namespace
+
+PathChecker::PathChecker(const PointEvaluator& evaluator, const PathQuery& query, const Tell& tell)
+  : proof_(std::make_unique<Proof>(evaluator, query, tell))
+{}
+
+PathChecker::~PathChecker() = default;
+
+void PathChecker::add(const PathSegment& segment)
+{
+  proof_->add(segment);
+}
+
+PathResult PathChecker::finish()
+{
+  return proof_->finish();
+}
 
 void PathQuery::validate(Problems& problems) const
 {
   validatePositive("tool_speed", tool_speed, "m/s", problems);
   if (max_looks <= 0)
     problems.push_back("max_looks = " + std::to_string(max_looks) + " must be positive");
+  if (looks_per_piece < 0)
+    problems.push_back("looks_per_piece = " + std::to_string(looks_per_piece) + " must not be negative");
 }
 
 PathResult checkPath(const PointEvaluator& evaluator, const std::vector<PathSegment>& segments, const PathQuery& query)
 {
-  return PathProof(evaluator, segments, validated(query)).run();
+  std::vector<SegmentCheck> checks;
+  checks.reserve(segments.size());
+  PathChecker checker(evaluator, query, [&checks](const SegmentCheck& check) { checks.push_back(check); });
+  for (const PathSegment& segment : segments)
+    checker.add(segment);
+  PathResult result = checker.finish();
+  result.segments = std::move(checks);
+  return result;
 }
 
 PathResult checkPath(const Machine& machine, const Criterion& criterion, const std::vector<PathSegment>& segments,

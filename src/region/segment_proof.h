@@ -21,13 +21,16 @@ public:
   /// What has ended the looks, once isOver() has said so.
   PathResult::End end() const { return end_; }
 
+  /// Adds the share of so many pieces that a path has at first.
+  void allowFor(std::int64_t pieces) { pieces_ += pieces; }
+
   bool isOver()
   {
-    if (query_.stop != nullptr && *query_.stop)
-      end_ = PathResult::End::STOPPED;
-    else if (count_ >= query_.max_looks)
-      end_ = PathResult::End::LOOKS;
-    return end_ != PathResult::End::COMPLETE;
+    const bool is_stopped = query_.stop != nullptr && *query_.stop;
+    const bool is_over = is_stopped || count_ >= query_.max_looks + pieces_ * query_.looks_per_piece;
+    if (is_over)
+      end_ = is_stopped ? PathResult::End::STOPPED : PathResult::End::LOOKS;
+    return is_over;
   }
 
   /// @param motions may be nullptr
@@ -41,6 +44,7 @@ private:
   const BoxKernel& kernel_;
   const PathQuery& query_;
   std::int64_t count_ = 0;
+  std::int64_t pieces_ = 0;
   PathResult::End end_ = PathResult::End::COMPLETE;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/path_message.h"
 
-#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/report/path_sentence.h"
@@ -58,39 +58,39 @@ PathSegment fromSegment(const ToolSegment& segment)
   }
 }
 
-/// Adds what @p make makes, or why it cannot be made.
+/// Uses what @p make makes, unless something is wrong already, or keeps why it cannot be made.
 template <class Make>
-void add(const char* list, std::size_t index, const Make& make, std::vector<PathSegment>& segments, Problems& problems)
+void handOut(const char* list, std::size_t index, const Make& make, const UseSegment& use, Problems& problems)
 {
+  std::optional<PathSegment> segment;
   try
   {
-    segments.push_back(make());
+    segment = make();
   }
   catch (const std::invalid_argument& error)
   {
     problems.push_back(list + ("[" + std::to_string(index)) + "]: " + error.what());
   }
+  if (segment && problems.empty())
+    use(*segment);
 }
 }  // namespace
 
-std::vector<PathSegment> segmentsOf(const CheckPath::Request& request)
+void forEachSegment(const CheckPath::Request& request, const UseSegment& use)
 {
-  std::vector<PathSegment> segments;
   Problems problems;
   const auto& poses = request.path.poses;
   if (poses.empty() == request.segments.empty() || poses.size() == 1)
     problems.push_back("give either segments or a path of two poses or more");
-  segments.reserve(std::max(poses.size(), request.segments.size()));
   for (std::size_t k = 0; k + 1 < poses.size(); ++k)
-    add(
+    handOut(
         "path.poses", k + 1,
         [&] { return PathSegment::line(fromMessage(poses[k].pose.position), fromMessage(poses[k + 1].pose.position)); },
-        segments, problems);
+        use, problems);
   for (std::size_t k = 0; k < request.segments.size(); ++k)
-    add(
-        "segments", k, [&] { return fromSegment(request.segments[k]); }, segments, problems);
+    handOut(
+        "segments", k, [&] { return fromSegment(request.segments[k]); }, use, problems);
   throwProblems(problems);
-  return segments;
 }
 
 std::string frameOf(const CheckPath::Request& request)
@@ -141,8 +141,6 @@ void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoi
 void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response)
 {
   response.verdict = constantOf(result.verdict);
-  for (const SegmentCheck& segment : result.segments)
-    response.segment_verdicts.push_back(constantOf(segment.verdict));
   response.looks = result.looks;
   response.offending_segment = -1;
   response.bad_at = NONE;

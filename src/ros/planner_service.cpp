@@ -16,6 +16,12 @@ namespace
 {
 constexpr std::int64_t MAX_BOXES = 1000000;
 
+ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue)
+{
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
 std::string sentence(const ContainmentResult& result, const PointEvaluator& evaluator)
 {
   if (result.verdict == Containment::INSIDE)
@@ -29,38 +35,54 @@ std::string sentence(const ContainmentResult& result, const PointEvaluator& eval
 
 PlannerService::PlannerService(NodeContext& context)
   : context_(context)
-  , check_region_(offer<CheckRegion>(context.deciding, context.health, "check_region",
+  , checking_(withQueue(context.private_node, crew_.queue()))
+  , check_region_(offer<CheckRegion>(checking_, context.health, "check_region",
                                      [this](const auto& request, auto& response) { checkRegion(request, response); }))
-  , check_path_(offer<CheckPath>(context.deciding, context.health, "check_path",
+  , check_path_(offer<CheckPath>(checking_, context.health, "check_path",
                                  [this](const auto& request, auto& response) { checkPath(request, response); }))
   , evaluate_point_(
         offer<EvaluatePoint>(context.deciding, context.health, "evaluate_point",
                              [this](const auto& request, auto& response) { evaluatePoint(request, response); }))
-{}
+{
+  crew_.start();
+}
+
+PlannerService::~PlannerService()
+{
+  crew_.stop();
+}
 
 template <class Response>
-const PointEvaluator& PlannerService::prepare(const std::string& frame, const CriterionRequest& request,
-                                              Response& response)
+PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, const CriterionRequest& request,
+                                                     Response& response)
 {
   const FramedMachine in = context_.frames.machineIn(frame);
   Problems problems;
   const Criterion criterion = fromMessage(request, context_.query().criterion, problems);
   criterion.validate(problems);
   throwProblems(problems);
-  if (!evaluator_ || machine_ != in.machine || !(criterion_ == criterion))
-  {
-    evaluator_ = std::make_unique<const PointEvaluator>(*in.machine, criterion);
-    machine_ = in.machine;
-    criterion_ = criterion;
-  }
+  const EvaluatorPtr evaluator = evaluatorFor(in.machine, criterion);
   response.header = headerOf(in, ros::Time::now());
   response.hypotheses = hypothesesOf(in, criterion, 0.0);
-  return *evaluator_;
+  return evaluator;
+}
+
+PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const std::shared_ptr<const Machine>& machine,
+                                                          const Criterion& criterion)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!evaluator_ || machine_ != machine || !(criterion_ == criterion))
+  {
+    evaluator_ = std::make_shared<const PointEvaluator>(*machine, criterion);
+    machine_ = machine;
+    criterion_ = criterion;
+  }
+  return evaluator_;
 }
 
 void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegion::Response& response)
 {
-  const PointEvaluator& evaluator = prepare(request.header.frame_id, request.criterion, response);
+  const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response);
   Problems problems;
   const Solid solid = fromMessage(request.solid);
   const Eigen::Vector3d center = fromMessage(request.center);
@@ -68,32 +90,35 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   if (request.max_boxes < 0)
     problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for 1000000");
   throwProblems(problems);
-  const StopFlag stop = context_.decider.makeStopFlag();
-  const ContainmentResult result = checkContainment(evaluator.test(), *solid.shape, center, solid.size,
-                                                    request.max_boxes == 0 ? MAX_BOXES : request.max_boxes, stop.get());
+  const ContainmentResult result =
+      checkContainment(evaluator->test(), *solid.shape, center, solid.size,
+                       request.max_boxes == 0 ? MAX_BOXES : request.max_boxes, crew_.stopFlag());
   response.verdict = constantOf(result.verdict);
   response.boxes = result.boxes;
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
-  response.message = sentence(result, evaluator);
+  response.message = sentence(result, *evaluator);
 }
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
 {
-  const PointEvaluator& evaluator = prepare(frameOf(request), request.criterion, response);
-  const StopFlag stop = context_.decider.makeStopFlag();
+  const EvaluatorPtr evaluator = prepare(frameOf(request), request.criterion, response);
   PathQuery query;
   query.tool_speed = valueOr(request.tool_speed, query.tool_speed);
-  query.stop = stop.get();
-  fill(pkm_workspace::checkPath(evaluator, segmentsOf(request), query), evaluator.machine(), response);
+  query.stop = crew_.stopFlag();
+  PathChecker checker(*evaluator, query, [&response](const SegmentCheck& segment) {
+    response.segment_verdicts.push_back(constantOf(segment.verdict));
+  });
+  forEachSegment(request, [&checker](const PathSegment& segment) { checker.add(segment); });
+  fill(checker.finish(), evaluator->machine(), response);
 }
 
 void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response)
 {
-  const PointEvaluator& evaluator = prepare(request.header.frame_id, request.criterion, response);
+  const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response);
   Problems problems;
   requireFinite("point", fromMessage(request.point), problems);
   throwProblems(problems);
-  fill(evaluator(fromMessage(request.point)), evaluator.machine(), response);
+  fill((*evaluator)(fromMessage(request.point)), evaluator->machine(), response);
 }
 }  // namespace pkm_workspace

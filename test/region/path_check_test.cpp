@@ -235,20 +235,50 @@ TEST(PathCheck, endsUndecidedWhenToldTo)
   std::vector<PathSegment> path(300, PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.001, 0.0, 0.0 }));
   PathQuery query;
   query.max_looks = 50;
+  query.looks_per_piece = 0;
   const PathResult result = checkPath(orthoglide(), Criterion(), path, query);
   EXPECT_EQ(result.verdict, Containment::UNDECIDED);
   EXPECT_EQ(result.segments[0].verdict, Containment::INSIDE);
   EXPECT_EQ(result.segments[299].verdict, Containment::UNDECIDED);
   EXPECT_GT(result.first->segment, 0U);
+  EXPECT_EQ(result.end, PathResult::End::LOOKS);
   query = PathQuery();
   const std::atomic<bool> stop(true);
   query.stop = &stop;
-  EXPECT_EQ(checkPath(orthoglide(), Criterion(), path, query).verdict, Containment::UNDECIDED);
+  const PathResult stopped = checkPath(orthoglide(), Criterion(), path, query);
+  EXPECT_EQ(stopped.verdict, Containment::UNDECIDED);
+  EXPECT_EQ(stopped.end, PathResult::End::STOPPED);
+  EXPECT_EQ(stopped.looks, 0);
   query = PathQuery();
   query.tool_speed = -1.0;
   query.max_looks = 0;
+  query.looks_per_piece = -1;
   expectThrow<std::invalid_argument>([&] { checkPath(orthoglide(), Criterion(), path, query); },
-                                     "tool_speed = -1 m/s must be positive[^]*max_looks = 0 must be positive");
+                                     "tool_speed = -1 m/s must be positive[^]*max_looks = 0 must be "
+                                     "positive[^]*looks_per_piece = -1 must not be negative");
 }
+TEST(PathCheck, looksGrowWithThePath)
+{
+  const PathSegment harmless = PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 });
+  // all of it is on the border
+  const PathSegment along = PathSegment::circle({ 1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  PathQuery query;
+  query.max_looks = 1;
+  std::vector<PathSegment> path(1000, harmless);
+  const PathResult inside = checkPath(orthoglide(), reachable(), path, query);
+  EXPECT_EQ(inside.verdict, Containment::INSIDE);
+  EXPECT_EQ(inside.end, PathResult::End::COMPLETE);
+  EXPECT_GT(inside.looks, 1000 * query.max_looks);
+  path.assign(60, along);
+  path.push_back(harmless);
+  query.looks_per_piece = 4;
+  const PathResult ended = checkPath(orthoglide(), reachable(), path, query);
+  EXPECT_NE(ended.verdict, Containment::INSIDE);
+  EXPECT_EQ(ended.end, PathResult::End::LOOKS);
+  EXPECT_EQ(ended.segments.back().verdict, Containment::INSIDE) << "each segment brings the first looks at it";
+  query.looks_per_piece = 0;
+  EXPECT_EQ(checkPath(orthoglide(), reachable(), path, query).segments.back().verdict, Containment::UNDECIDED);
+}
+
 }  // namespace test
 }  // namespace pkm_workspace

@@ -69,6 +69,7 @@ TEST(PathSentence, saysWhyNothingIsDecided)
       "the strut of 'rail_[xyz]' is 1 m long and reaches as far across its rail.*\\.");
   PathQuery query;
   query.max_looks = 50;
+  query.looks_per_piece = 0;
   const std::vector<PathSegment> path(300, line(0.001));
   expectSays(
       sentenceOf(path, {}, query),

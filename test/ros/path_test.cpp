@@ -2,8 +2,11 @@
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/EvaluatePoint.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <regex>
+#include <thread>
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
@@ -133,6 +136,37 @@ TEST(CheckPath, takesAFrameWithAndWithoutItsSlash)
   const auto response = call<CheckPath>("check_path", request);
   EXPECT_EQ(Response::INSIDE, response.verdict) << response.message;
   EXPECT_EQ("base_link", response.header.frame_id);
+}
+
+// The stamps of the answers tell when each was begun.
+TEST(CheckPath, leavesShortRequestsAloneWhenItIsLong)
+{
+  const ToolSegment segment = line(point(0, 0, 0), point(0.1, 0, 0));
+  Request request;
+  request.segments.assign(1000000, segment);
+  std::atomic<bool> is_done(false);
+  Response long_answer;
+  std::thread planner([&] {
+    long_answer = call<CheckPath>("check_path", request);
+    is_done = true;
+  });
+  std::vector<ros::Time> begun;
+  while (!is_done)
+  {
+    const auto there = evaluate(0.0, 0.0, 0.0);
+    const auto path = check({ segment });
+    EXPECT_EQ(EvaluatePoint::Response::INSIDE, there.verdict);
+    EXPECT_EQ(Response::INSIDE, path.verdict);
+    if (!is_done)
+      begun.push_back(std::min(there.header.stamp, path.header.stamp));
+  }
+  planner.join();
+  EXPECT_EQ(Response::INSIDE, long_answer.verdict) << long_answer.message;
+  EXPECT_EQ(Response::COMPLETE, long_answer.end);
+  EXPECT_EQ(1000000U, long_answer.segment_verdicts.size());
+  const auto meanwhile =
+      std::count_if(begun.begin(), begun.end(), [&](const ros::Time& time) { return time > long_answer.header.stamp; });
+  EXPECT_GE(meanwhile, 5) << "answered while the long path was being checked";
 }
 
 TEST(CheckPath, refusesWhatIsOutOfRange)

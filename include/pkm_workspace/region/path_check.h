@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +18,8 @@ namespace pkm_workspace
 struct PathQuery
 {
   double tool_speed = 1.0;                  ///< constant along the path [m/s], > 0
-  std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0
+  std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0, and ...
+  std::int64_t looks_per_piece = 16;        ///< ... as many more for each piece that the path has at first, >= 0
   const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
 
   void validate(Problems& problems) const;
@@ -67,26 +70,49 @@ struct PathResult
   enum class End
   {
     COMPLETE,  ///< whatever stays undecided is within rounding of the border
-    LOOKS,     ///< max_looks ended it
+    LOOKS,     ///< some of what stays undecided would need more looks than its share of them
     STOPPED    ///< it was told to stop
   };
 
   Containment verdict = Containment::INSIDE;  ///< INSIDE iff all segments are, OUTSIDE where one is
   std::vector<SegmentCheck> segments = {};    ///< one for each segment
   std::optional<PathOffence> first = {};      ///< of the first segment that is not INSIDE
-  std::optional<PathOffence> proved = {};     ///< of the first segment that is OUTSIDE; its open parts are not narrowed
+  std::optional<PathOffence> proved = {};     ///< of the first segment that is OUTSIDE, which may be a later one
   std::optional<PathMotion> motion = {};      ///< over the whole path, with INSIDE
   std::int64_t looks = 0;                     ///< pieces looked at
   End end = End::COMPLETE;
 };
 
-/// Whether every point of the path satisfies the criterion. There is no tolerance: a path that touches the border of
+/// Whether every point of a path satisfies the criterion. There is no tolerance: a path that touches the border of
 /// the set is OUTSIDE or UNDECIDED, never INSIDE. Segments need not join. An empty path is INSIDE.
 ///
 /// Pieces of the segments are enclosed by boxes with edges along them and looked at as a whole, side by side. On the
 /// first segment that is not INSIDE they are divided until doubles end, so that the ends of an open part are neighbours
 /// up to rounding where the path crosses the border, and near to each other where it touches it; later segments are
 /// divided no further than their verdicts need.
+///
+/// The path is handed in segment by segment, and takes memory for some of them only.
+class PathChecker
+{
+public:
+  /// Called once for each segment, in their order.
+  using Tell = std::function<void(const SegmentCheck&)>;
+
+  /// @param evaluator, @param query have to outlive this object
+  /// @throws std::invalid_argument when the query is not valid
+  PathChecker(const PointEvaluator& evaluator, const PathQuery& query, const Tell& tell);
+  ~PathChecker();
+
+  void add(const PathSegment& segment);
+  /// The answer about all segments together, but for the list of them, which is left empty. For one call.
+  PathResult finish();
+
+private:
+  class Proof;
+  std::unique_ptr<Proof> proof_;
+};
+
+/// The same for a path at once.
 /// @throws std::invalid_argument when the criterion or the query is not valid
 PathResult checkPath(const PointEvaluator& evaluator, const std::vector<PathSegment>& segments,
                      const PathQuery& query = {});

@@ -5,16 +5,18 @@
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/EvaluatePoint.h>
 
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "pkm_workspace/region/path_check.h"
 
 namespace pkm_workspace
 {
-/// The segments of a request: those it lists, or lines between its poses.
-/// @throws std::invalid_argument naming each segment and value that is wrong
-std::vector<PathSegment> segmentsOf(const CheckPath::Request& request);
+using UseSegment = std::function<void(const PathSegment&)>;
+
+/// Hands out the segments of a request one by one: those it lists, or lines between its poses.
+/// @throws std::invalid_argument naming each segment and value that is wrong; those before the first were handed out
+void forEachSegment(const CheckPath::Request& request, const UseSegment& use);
 
 /// The frame that a request is made in. @throws std::invalid_argument where it names two
 std::string frameOf(const CheckPath::Request& request);
@@ -24,5 +26,6 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine);
 
 /// Fills all that the evaluation tells.
 void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response);
+/// All but the verdicts on the segments.
 void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response);
 }  // namespace pkm_workspace

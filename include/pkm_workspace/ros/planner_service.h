@@ -6,34 +6,44 @@
 #include <pkm_workspace/EvaluatePoint.h>
 
 #include <memory>
+#include <mutex>
 
 #include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/ros/crew.h"
 #include "pkm_workspace/ros/node_context.h"
 
 namespace pkm_workspace
 {
-/// Verdicts for planners: ~check_region, ~check_path, ~evaluate_point. On a thread of their own: they neither wait for
-/// computations, nor does what answers at once wait for them.
+/// Verdicts for planners: ~check_region, ~check_path, ~evaluate_point. They neither wait for computations, nor does
+/// what answers at once wait for them. Points have a thread of their own, regions and paths some: these may be long.
 class PlannerService
 {
 public:
-  /// Advertises. @param context has to outlive this object, its threads have to end before
+  /// Advertises. @param context has to outlive this object, its decider has to end before
   explicit PlannerService(NodeContext& context);
+  /// Ends what is being checked.
+  ~PlannerService();
 
 private:
   void checkRegion(const CheckRegion::Request& request, CheckRegion::Response& response);
   void checkPath(const CheckPath::Request& request, CheckPath::Response& response);
   void evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response);
 
-  /// Reads frame and criterion, and fills in what the answer holds for.
-  /// @return what to ask; kept for the next request, which mostly is about the same
+  using EvaluatorPtr = std::shared_ptr<const PointEvaluator>;
+
+  /// Reads frame and criterion, and fills in what the answer holds for. @return what to ask
   template <class Response>
-  const PointEvaluator& prepare(const std::string& frame, const CriterionRequest& criterion, Response& response);
+  EvaluatorPtr prepare(const std::string& frame, const CriterionRequest& criterion, Response& response);
+  /// Keeps the last one for the next request, which mostly is about the same.
+  EvaluatorPtr evaluatorFor(const std::shared_ptr<const Machine>& machine, const Criterion& criterion);
 
   NodeContext& context_;
-  std::shared_ptr<const Machine> machine_;  ///< of the evaluator; the decider's own, as the next two
+  Crew crew_{ 8 };
+  ros::NodeHandle checking_;                ///< for services of the crew
+  std::mutex mutex_;                        ///< of the next three
+  std::shared_ptr<const Machine> machine_;  ///< of the evaluator, as the criterion
   Criterion criterion_;
-  std::unique_ptr<const PointEvaluator> evaluator_;
+  EvaluatorPtr evaluator_;
   ros::ServiceServer check_region_;
   ros::ServiceServer check_path_;
   ros::ServiceServer evaluate_point_;
