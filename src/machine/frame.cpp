@@ -2,7 +2,6 @@
 #include "pkm_workspace/machine/frame.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -53,21 +52,6 @@ Interval mixed(const Interval& w, const Interval& xi, const Interval& xj, const 
 }
 }  // namespace
 
-void keepApart(const Machine& machine, Machine::Legs& legs)
-{
-  for (std::size_t i = 1; i < 3; ++i)
-  {
-    const auto only_look_parallel = [&](std::size_t j) {
-      return areParallel(legs[i], legs[j]) && !areParallel(machine.legs()[i], machine.legs()[j]);
-    };
-    while (only_look_parallel(0) || (i == 2 && only_look_parallel(1)))
-    {
-      Interval& entry = legs[i].axis[0];
-      entry = Interval(entry.lower(), std::nextafter(entry.upper(), std::numeric_limits<double>::infinity()));
-    }
-  }
-}
-
 IntervalMatrix rotationOf(const Pose& pose)
 {
   validate(pose);
@@ -91,13 +75,15 @@ Machine machineInFrame(const Machine& machine, const Pose& pose)
   const IntervalMatrix rotation = rotationOf(pose);
   const IntervalVector translation = enclose(pose.translation);
   Machine::Legs legs = machine.legs();
-  for (Leg& leg : legs)
+  const std::array<int, 3> directions = sharedDirections(legs);
+  for (std::size_t i = 0; i < 3; ++i)
   {
+    Leg& leg = legs[i];
+    leg.direction = directions[i];
     leg.origin = rotation * leg.origin + translation;
     leg.axis = rotation * leg.axis;
     leg.platform = rotation * leg.platform;
   }
-  keepApart(machine, legs);
   Machine turned(machine.name(), legs, mid(rotation * enclose(machine.zero()) + translation));
   if (turned.aspect() != machine.aspect())
     throw std::invalid_argument("machine '" + machine.name() +

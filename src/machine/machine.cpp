@@ -18,6 +18,50 @@ bool isBounded(const IntervalVector& v)
   return v[0].isBounded() && v[1].isBounded() && v[2].isBounded();
 }
 
+IntervalVector timesSense(int sense, const IntervalVector& v)
+{
+  return sense > 0 ? v : IntervalVector{ -v[0], -v[1], -v[2] };
+}
+
+bool isSingle(const IntervalVector& v)
+{
+  return v[0].isSingle() && v[1].isSingle() && v[2].isSingle();
+}
+
+/// 1 for the same numbers, -1 for the opposite ones, otherwise 0.
+int senseOfNumbers(const IntervalVector& a, const IntervalVector& b)
+{
+  return a == b ? 1 : a == timesSense(-1, b) ? -1 : 0;
+}
+
+int senseOfDirections(const Leg& a, const Leg& b)
+{
+  return a.direction == 0 || std::abs(a.direction) != std::abs(b.direction) ? 0 : a.direction == b.direction ? 1 : -1;
+}
+
+/// Legs that share a direction get what their enclosures of it have in common.
+void uniteAxes(Machine::Legs& legs, std::ostream& problems)
+{
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const int sense = senseOfDirections(legs[i], legs[j]);
+      if (sense == 0)
+        continue;
+      IntervalVector& axis = legs[j].axis;
+      const IntervalVector other = timesSense(sense, legs[i].axis);
+      if (intersects(axis, other))
+        axis = { intersection(axis[0], other[0]), intersection(axis[1], other[1]), intersection(axis[2], other[2]) };
+      else
+        problems << "legs '" << legs[j].joint << "' and '" << legs[i].joint
+                 << "' are said to share a direction, but their axes are apart\n";
+    }
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = i; j-- > 0;)
+      if (const int sense = senseOfDirections(legs[i], legs[j]))
+        legs[i].axis = timesSense(sense, legs[j].axis);
+}
+
 IntervalMatrix projectorAcross(const IntervalVector& axis)
 {
   IntervalMatrix projector;
@@ -80,6 +124,7 @@ Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   std::ostringstream problems;
   for (const auto& leg : legs_)
     validateLeg(leg, "leg '" + leg.joint + "'", problems);
+  uniteAxes(legs_, problems);
   if (!zero.allFinite())
     problems << "zero configuration: the tool point must be finite numbers\n";
   throwIfAny(name_, problems);
@@ -91,14 +136,33 @@ Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   aspect_ = aspectAt(*this);
 }
 
-bool areParallel(const Leg& a, const Leg& b)
+int parallelSense(const Leg& a, const Leg& b)
 {
-  return a.axis == b.axis || a.axis == IntervalVector{ -b.axis[0], -b.axis[1], -b.axis[2] };
+  const bool exact = isSingle(a.axis) && isSingle(b.axis);
+  return exact ? senseOfNumbers(a.axis, b.axis) : senseOfDirections(a, b);
+}
+
+std::array<int, 3> sharedDirections(const std::function<int(std::size_t, std::size_t)>& sense)
+{
+  std::array<int, 3> numbers = { 0, 0, 0 };
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = 0; j < i && numbers[i] == 0; ++j)
+      if (const int found = sense(i, j))
+      {
+        numbers[j] = numbers[j] == 0 ? static_cast<int>(j) + 1 : numbers[j];
+        numbers[i] = found * numbers[j];
+      }
+  return numbers;
+}
+
+std::array<int, 3> sharedDirections(const std::array<Leg, 3>& legs)
+{
+  return sharedDirections([&legs](std::size_t i, std::size_t j) { return parallelSense(legs[i], legs[j]); });
 }
 
 bool Machine::hasParallelRails() const
 {
-  return areParallel(legs_[0], legs_[1]) && areParallel(legs_[0], legs_[2]);
+  return parallelSense(legs_[0], legs_[1]) != 0 && parallelSense(legs_[0], legs_[2]) != 0;
 }
 
 bool Machine::hasJointLimits() const
@@ -126,6 +190,10 @@ std::string Machine::geometryHash() const
     put(leg.length);
     put(leg.limits);
   }
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (parallelSense(legs_[i], legs_[j]) != senseOfNumbers(legs_[i].axis, legs_[j].axis))
+        text << " not parallel " << i << ' ' << j;
   const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
   return to_string(generate(text.str()));
 }

@@ -6,7 +6,6 @@
 
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/machine/catalogue.h"
-#include "pkm_workspace/machine/frame.h"
 
 namespace pkm_workspace
 {
@@ -82,10 +81,15 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
   validateEnds(first, last, joint_limits);
   return { "share", "", [first, last](const Interval& t) {
             Machine::Legs legs;
-            for (int i = 0; i < 3; ++i)
-              legs[static_cast<std::size_t>(i)] = between(first.leg(i), last.leg(i), t);
-            keepApart(first, legs);
-            keepApart(last, legs);
+            const std::array<int, 3> directions = sharedDirections([&](std::size_t i, std::size_t j) {
+              const int sense = parallelSense(first.legs()[i], first.legs()[j]);
+              return sense == parallelSense(last.legs()[i], last.legs()[j]) ? sense : 0;
+            });
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+              legs[i] = between(first.legs()[i], last.legs()[i], t);
+              legs[i].direction = directions[i];
+            }
             const Eigen::Vector3d zero = first.zero() + t.mid() * (last.zero() - first.zero());
             Machine machine(first.name() + " to " + last.name(), legs, zero);
             if (machine.aspect() != first.aspect())

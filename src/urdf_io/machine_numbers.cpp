@@ -42,12 +42,6 @@ Vector3d nearestThat(const Vector3d& v, const Fits& fits)
   throw std::logic_error("no doubles read back as this machine's axes and struts");
 }
 
-bool sameUpToSign(const IntervalVector& a, const IntervalVector& b)
-{
-  const IntervalVector opposite{ -b[0], -b[1], -b[2] };
-  return a == b || a == opposite;
-}
-
 /// Numbers for <axis>: rails that share one direction get the same ones, others get others.
 Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers, 3>& before)
 {
@@ -58,7 +52,7 @@ Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers,
     {
       const Direction other = directionIn(Frame(), before[static_cast<std::size_t>(j)].axis);
       const bool parallel = exactlyParallel(directionIn(Frame(), candidate), other) != 0;
-      distinct = distinct && parallel == sameUpToSign(axis, machine.leg(j).axis);
+      distinct = distinct && parallel == (parallelSense(machine.leg(i), machine.leg(j)) != 0);
     }
     return distinct && intersects(unitVector(candidate), axis);
   };

@@ -2,8 +2,6 @@
 #include "rails.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace pkm_workspace
 {
@@ -78,42 +76,24 @@ void checkRail(const urdf::Joint& joint, const Model& model, Problems& problems)
                      << typeOf(*above) << "; expected fixed joints between the root link and a rail";
 }
 
-/// Widens the axis by one double.
-void widen(IntervalVector& axis)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  axis[0] = Interval(std::nextafter(axis[0].lower(), -infinity), axis[0].upper());
-}
-
 IntervalVector negative(const IntervalVector& v)
 {
   return { -v[0], -v[1], -v[2] };
 }
 
-bool isSingle(const IntervalVector& v)
+/// Sets the directions that rails share, and the axes: the same numbers, or their negatives, for one direction.
+void setAxes(const std::array<Direction, 3>& directions, std::array<Rail, 3>& rails)
 {
-  return v[0].isSingle() && v[1].isSingle() && v[2].isSingle();
-}
-
-/// Enclosures of the axes that are the same numbers, or their negatives, where the directions are proved to be parallel
-/// and nowhere else: Machine takes the same numbers for one direction.
-std::array<IntervalVector, 3> distinctAxes(const std::array<Direction, 3>& directions)
-{
-  std::array<IntervalVector, 3> axes;
+  const auto sense = [&](std::size_t i, std::size_t j) { return exactlyParallel(directions[i], directions[j]); };
+  const std::array<int, 3> shared = sharedDirections(sense);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    axes[i] = directions[i].enclosure;
+    rails[i].direction = shared[i];
+    rails[i].axis = directions[i].enclosure;
     for (std::size_t j = 0; j < i; ++j)
-      if (const int sign = exactlyParallel(directions[i], directions[j]))
-        axes[i] = sign > 0 ? axes[j] : negative(axes[j]);
-    const auto looks_parallel = [&](std::size_t j) {
-      return !isSingle(axes[i]) && exactlyParallel(directions[i], directions[j]) == 0 &&
-             (axes[i] == axes[j] || axes[i] == negative(axes[j]));
-    };
-    while ((i > 0 && looks_parallel(0)) || (i > 1 && looks_parallel(1)))
-      widen(axes[i]);
+      if (const int found = sense(i, j))
+        rails[i].axis = found > 0 ? rails[j].axis : negative(rails[j].axis);
   }
-  return axes;
 }
 }  // namespace
 
@@ -132,9 +112,7 @@ std::array<Rail, 3> findRails(const Model& model, const std::vector<std::string>
     directions[i] = directionIn(rails[i].slider, axisOf(*rails[i].joint));
   }
   problems.throwIfAny();
-  const auto axes = distinctAxes(directions);
-  for (std::size_t i = 0; i < 3; ++i)
-    rails[i].axis = axes[i];
+  setAxes(directions, rails);
   return rails;
 }
 }  // namespace urdf_io

@@ -18,10 +18,11 @@ struct Rail
   const urdf::Joint* joint;
   Frame slider;         ///< frame of its child link at joint value 0
   IntervalVector axis;  ///< unit direction
+  int direction;        ///< as in Leg
 };
 
-/// Finds the three rails: those named, or the only prismatic joints there are. Rails that are proved to be parallel get
-/// the same numbers for axes, and no others do.
+/// Finds the three rails: those named, or the only prismatic joints there are. Rails that are proved to be parallel
+/// share a direction, and no others do.
 /// @throws std::invalid_argument when there are other than three, or what carries them moves
 std::array<Rail, 3> findRails(const Model& model, const std::vector<std::string>& names);
 }  // namespace urdf_io

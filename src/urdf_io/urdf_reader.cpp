@@ -37,6 +37,7 @@ Leg machineLeg(const Rail& rail, const ClosedLeg& closed)
   leg.joint = rail.joint->name;
   leg.origin = rail.slider.toOuter(closed.geometry.slider_point);
   leg.axis = rail.axis;
+  leg.direction = rail.direction;
   leg.platform = rail.slider.rotation * closed.geometry.platform;
   leg.length = closed.geometry.length;
   leg.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;

@@ -194,6 +194,10 @@ TEST(MachineInFrame, railsAreParallelIffTheyWereBefore)
     EXPECT_FALSE(machineInFrame(withLastAxis({ 0.0, 0x1p-1074, 1.0 }), pose).hasParallelRails());
     EXPECT_FALSE(machineInFrame(withLastAxis({ 1e-200, 0.0, -1.0 }), pose).hasParallelRails());
     EXPECT_FALSE(machineInFrame(orthoglide(), pose).hasParallelRails());
+    const Machine nearly = machineInFrame(withLastAxis({ 0.0, 0x1p-1074, 1.0 }), pose);
+    EXPECT_NE(nearly.geometryHash(), machineInFrame(uranesx(), pose).geometryHash());
+    EXPECT_TRUE(machineInFrame(machineInFrame(uranesx(), pose), pose).hasParallelRails());
+    EXPECT_FALSE(machineInFrame(nearly, pose).hasParallelRails());
   });
   const Pose about_z{ { 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5) }, Vector3d(1.0, 2.0, 3.0) };
   EXPECT_EQ(machineInFrame(uranesx(), about_z).leg(1).axis, uranesx().leg(1).axis)

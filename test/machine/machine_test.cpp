@@ -167,7 +167,63 @@ TEST(MachineHash, changesWithEveryNumber)
   EXPECT_EQ(hashes.size(), std::size(changes));
 }
 
-TEST(Machine, railsAreParallelWhereTheirDirectionsAreTheSameNumbers)
+/// An UraneSX whose axes are known to a rounding only.
+Machine::Legs uranesxLegsRounded()
+{
+  Machine::Legs legs = uranesx().legs();
+  for (Leg& leg : legs)
+    leg.axis = { 0.0, Interval(0x1p-60, 0x1p-59), Interval(std::nextafter(1.0, 0.0), 1.0) };
+  return legs;
+}
+
+Machine uranesxWithDirections(const std::array<int, 3>& directions)
+{
+  Machine::Legs legs = uranesxLegsRounded();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    legs[i].direction = directions[i];
+    if (directions[i] < 0)
+    {
+      legs[i].axis = { 0.0, -legs[i].axis[1], -legs[i].axis[2] };
+      legs[i].working_mode = 1;
+    }
+  }
+  return Machine("uranesx", legs, uranesx().zero());
+}
+
+TEST(Machine, enclosuresThatAreTheSameAreNoSharedDirection)
+{
+  const Machine apart = uranesxWithDirections({ 0, 0, 0 });
+  EXPECT_FALSE(apart.hasParallelRails());
+  EXPECT_FALSE(uranesxWithDirections({ 1, 1, 0 }).hasParallelRails());
+  EXPECT_FALSE(uranesxWithDirections({ 1, 1, 3 }).hasParallelRails());
+  const Machine together = uranesxWithDirections({ 2, 2, 2 });
+  EXPECT_TRUE(together.hasParallelRails());
+  EXPECT_NE(together.geometryHash(), apart.geometryHash());
+  EXPECT_NE(uranesxWithDirections({ 1, 1, 0 }).geometryHash(), apart.geometryHash());
+  EXPECT_EQ(uranesxWithDirections({ 1, 1, 1 }).geometryHash(), together.geometryHash()) << "numbers are only names";
+  const Machine against = uranesxWithDirections({ 5, -5, 5 });
+  EXPECT_TRUE(against.hasParallelRails());
+  EXPECT_EQ(parallelSense(against.leg(0), against.leg(1)), -1);
+  EXPECT_EQ(parallelSense(against.leg(0), against.leg(2)), 1);
+}
+
+TEST(Machine, legsThatShareADirectionShareWhatIsKnownOfIt)
+{
+  Machine::Legs legs = uranesxLegsRounded();
+  for (Leg& leg : legs)
+    leg.direction = 1;
+  legs[1].axis[1] = Interval(0x1p-60, 0x1.8p-60);
+  legs[2].axis[1] = Interval(0x1.4p-60, 0x1p-59);
+  const Machine machine("uranesx", legs, uranesx().zero());
+  for (const Leg& leg : machine.legs())
+    EXPECT_EQ(leg.axis[1], Interval(0x1.4p-60, 0x1.8p-60));
+  legs[2].axis[1] = Interval(0x1p-58, 0x1p-57);
+  expectThrow<std::invalid_argument>([&] { Machine("uranesx", legs, uranesx().zero()); },
+                                     "'rail_1' and 'rail_3' are said to share a direction, but their axes are apart");
+}
+
+TEST(Machine, railsAreParallelWhereTheirExactDirectionsAreTheSame)
 {
   EXPECT_TRUE(uranesx().hasParallelRails());
   EXPECT_FALSE(orthoglide().hasParallelRails());

@@ -202,9 +202,12 @@ TEST(UrdfEnclosure, railsTurnedAboutTheirOwnDirectionAreParallel)
   EXPECT_TRUE(read.warnings.empty());
 }
 
-TEST(UrdfEnclosure, railsThatOnlyLookParallelHaveOtherNumbers)
+TEST(UrdfEnclosure, railsThatOnlyLookParallelShareNoDirection)
 {
   // The last axes differ, yet doubles enclose their directions by the same numbers.
+  const Machine nearly = withAxes({ "1 0.13 7.4", "1 0.13 7.4", "1 0.13 7.4000000000000012" }, "");
+  EXPECT_EQ(nearly.leg(0).direction, nearly.leg(1).direction);
+  EXPECT_EQ(nearly.leg(2).direction, 0);
   EXPECT_FALSE(withAxes({ "1 0.13 7.4", "1 0.13 7.4", "1 0.13 7.4000000000000012" }, "").hasParallelRails());
   EXPECT_FALSE(
       withAxes({ "1 0.13 7.4", "1 0.13 7.4000000000000012", "-1 -0.13 -7.4000000000000012" }, "").hasParallelRails());

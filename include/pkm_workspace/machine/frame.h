@@ -19,10 +19,6 @@ struct Pose
 /// hardly do.
 constexpr double NORM_TOLERANCE = 1e-3;
 
-/// Rails are parallel where their axes are the same numbers: widens those of others, by a rounding, where it hides that
-/// they differ. @param legs made from those of @p machine, one by one
-void keepApart(const Machine& machine, Machine::Legs& legs);
-
 /// Encloses R, for the quaternion over its norm; of zero width for the identity.
 /// @throws std::invalid_argument naming each number that is not finite, or the norm where it is not nearly 1
 IntervalMatrix rotationOf(const Pose& pose);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,15 +23,24 @@ struct Leg
   Interval length = 1.0;                 ///< L: strut length |AB| [m]
   int working_mode = 1;                  ///< s: sign of eta = (strut vector) . e, +1 or -1
   Interval limits = Interval::entire();  ///< values that the prismatic joint may take [m]
+  /// Rails that are known to share one direction have the same number here, or the opposite one where they point
+  /// against each other. 0: no more is known than the axis.
+  int direction = 0;
 };
 
-/// Whether the axes of two rails are the same numbers, or the opposite ones.
-bool areParallel(const Leg& a, const Leg& b);
+/// 1 where two rails are known to have the same direction, -1 for the opposite one, otherwise 0: their numbers say so,
+/// or both axes are exact. Enclosures that are the same are no reason.
+int parallelSense(const Leg& a, const Leg& b);
+
+/// Numbers for Leg::direction. @param sense what parallelSense() is to be for legs i and j < i
+std::array<int, 3> sharedDirections(const std::function<int(std::size_t i, std::size_t j)>& sense);
+/// The same for legs that are to keep the directions that these share, when they are turned all together.
+std::array<int, 3> sharedDirections(const std::array<Leg, 3>& legs);
 
 /// The geometry of a translational machine with three legs: a value, immutable once made.
 ///
-/// Every number is an enclosure of the exact number it stands for (mostly of zero or one-ulp width). Legs whose axis
-/// enclosures are the same numbers share one direction.
+/// Every number is an enclosure of the exact number it stands for (mostly of zero or one-ulp width). Legs that
+/// share a direction have one enclosure of it.
 ///
 /// Formulas (docs/theory.md; paper, section 3.2), with c = a - b and p the tool point:
 ///   q = (I - e e^T)(p - c),  eta = s sqrt(L^2 - |q|^2),  strut d = q + eta e,  rho = e^T (p - c) - eta,
@@ -45,8 +55,8 @@ public:
   /// @param legs in the order of the joints
   /// @param zero tool point of the assembled zero configuration [m]: its det A fixes the aspect of the machine
   /// @throws std::invalid_argument listing everything that is wrong: not finite, axis not of unit length, length not
-  /// positive,
-  ///         working mode not +-1, zero not reachable, a serial or parallel singularity at zero
+  /// positive, axes apart that are said to share a direction, working mode not +-1, zero not reachable, a serial or
+  /// parallel singularity at zero
   Machine(std::string name, Legs legs, const Eigen::Vector3d& zero);
 
   const std::string& name() const { return name_; }
@@ -60,7 +70,7 @@ public:
   const Eigen::Vector3d& zero() const { return zero_; }
   /// Sign of det A in the machine's own aspect: +1 or -1.
   int aspect() const { return aspect_; }
-  /// Whether the axes of the three rails are the same numbers: then nothing but the joint values changes along them.
+  /// Whether the three rails are known to be parallel: then nothing but the joint values changes along them.
   bool hasParallelRails() const;
   /// Whether any joint has a limit.
   bool hasJointLimits() const;
