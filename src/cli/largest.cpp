@@ -2,6 +2,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "progress.h"
@@ -141,7 +142,7 @@ private:
                                                   : "wherever its center";
     const std::string first =
         "every point of the " + shape + " with this center and size is " + name(query_.criterion.set) + "; ";
-    const bool slides = machine_.machine().hasParallelRails() && !query_.criterion.joint_limits;
+    const bool slides = slidesAlongRails(machine_.machine(), query_.criterion);
     return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
            roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points " +
            name(query_.criterion.set) + "." + (slides ? " The rails are parallel: the same holds all along them." : "");

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/eta_range.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -59,9 +61,7 @@ public:
       return Interval::entire();
     const Leg& leg = machine_.leg(i);
     const Interval along = range(inverse_ * leg.axis) - dot(leg.axis, machine_.center(i));
-    const double longest = leg.length.upper();
-    const double least = criterion_.boundsAbove() ? (leg.length / criterion_.largestFactor()).lower() : 0.0;
-    return along - Interval(leg.working_mode) * Interval(std::min(least, longest), longest);
+    return along - etaRange(leg, criterion_);
   }
 
 private:
@@ -91,6 +91,25 @@ Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
   const IntervalVector q = offsetAcross(machine, i, cylinderRadius(leg, criterion));
   return boundingBox(machine.center(i) + q + (leg.limits + eta) * leg.axis);
 }
+
+/// Parallel rails by the limits of several legs: e . p = e . c + sense (rho + eta) for each, with e that of the first.
+Box boundsByLimitsTogether(const Machine& machine, const Criterion& criterion)
+{
+  const IntervalVector& e = machine.leg(0).axis;
+  Interval along = Interval::entire();
+  for (int i = 0; i < 3 && !along.isEmpty(); ++i)
+  {
+    const Leg& leg = machine.leg(i);
+    const Interval travel = Interval(parallelSense(machine.leg(0), leg)) * (leg.limits + etaRange(leg, criterion));
+    along = intersection(along, dot(e, machine.center(i)) + travel);
+  }
+  if (along.isEmpty())
+    return { Eigen::Vector3d::Constant(INF), Eigen::Vector3d::Constant(-INF) };
+  if (!along.isBounded())
+    return EVERYWHERE;
+  const IntervalVector q = offsetAcross(machine, 0, cylinderRadius(machine.leg(0), criterion));
+  return boundingBox(machine.center(0) + q + (along - dot(e, machine.center(0))) * e);
+}
 }  // namespace
 
 Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
@@ -99,6 +118,13 @@ Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
     return leg.length;
   const Interval share = Interval(1.0) - Interval(1.0) / sqr(criterion.largestFactor());
   return leg.length * sqrt(Interval(std::max(0.0, share.lower()), std::max(0.0, share.upper())));
+}
+
+Interval etaRange(const Leg& leg, const Criterion& criterion)
+{
+  const double longest = leg.length.upper();
+  const double least = criterion.boundsAbove() ? (leg.length / criterion.largestFactor()).lower() : 0.0;
+  return Interval(leg.working_mode) * Interval(std::min(least, longest), longest);
 }
 
 IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& radius)
@@ -135,7 +161,10 @@ Box boundsOfSet(const Machine& machine, const Criterion& criterion)
   for (int i = 0; i < 3; ++i)
     if (limits[static_cast<std::size_t>(i)] != Interval::entire())
       bounds = intersection(bounds, boundsByLimits(machine, criterion, i));
-  return bounds;
+  const bool leaves_ends = !(bounds.upper - bounds.lower).allFinite();
+  return leaves_ends && criterion.joint_limits && machine.hasParallelRails()
+             ? intersection(bounds, boundsByLimitsTogether(machine, criterion))
+             : bounds;
 }
 
 bool slidesAlongRails(const Machine& machine, const Criterion& criterion)

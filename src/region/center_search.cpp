@@ -38,6 +38,16 @@ double leastAccuracy(const RegionQuery& query)
 {
   return query.precision == Precision::DOUBLE ? LEAST_ACCURACY : LEAST_PRECISE_ACCURACY;
 }
+
+/// Decides what is bad wherever a point stands along parallel rails.
+std::optional<BoxTest> withoutLimits(const Machine& machine, const RegionQuery& query, const CenterSpace& space)
+{
+  if (!space.travel)
+    return std::nullopt;
+  Criterion criterion = query.criterion;
+  criterion.joint_limits = false;
+  return BoxTest(machine, criterion, query.precision);
+}
 }  // namespace
 
 CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known,
@@ -45,9 +55,11 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   : query_(query)
   , test_(machine, query.criterion, query.precision)
   , space_(centerSpace(machine, query))
+  , test_across_rails_(withoutLimits(machine, query, space_))
+  , travel_(space_.travel && space_.travel->binds() ? &*space_.travel : nullptr)
   , witnesses_(*query.shape)
-  , center_tests_(WAVE, CenterTest(test_, *query.shape, witnesses_))
-  , local_search_(test_, *query.shape, witnesses_, space_.centers)
+  , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_))
+  , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, travel_)
   , pool_(query.budget.threads)
   , scale_(machine.scale())
   , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().maxCoeff()))
@@ -56,13 +68,6 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , zero_(machine.zero())
 {
   incumbent_.size = known;
-}
-
-void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
-{
-  for (const Eigen::Vector3d& point : points)
-    if (test_.classify(point) == BoxVerdict::OUTSIDE)
-      witnesses_.learn(point);
 }
 
 double CenterSearch::seconds() const
@@ -82,21 +87,25 @@ double CenterSearch::upperBound() const
   return std::min(space_.size_bound, std::max({ incumbent_.size, excluded_bound_, unsettled_bound_, open }));
 }
 
-/// Makes the region the incumbent if it is larger and proved. @return a bad point that stands in the way
+/// Makes the region the incumbent if it is larger and proved. @return a bad point that stands in the way, of the
+/// region's place where there are places
 std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
 {
   if (candidate.size <= incumbent_.size || verification_boxes_ >= most_verification_boxes_)
     return std::nullopt;
   const std::int64_t most = std::min(VERIFICATION_BOXES, most_verification_boxes_ / VERIFICATIONS + 1);
+  const Candidate region = settled(candidate);
   const ContainmentResult proof =
-      checkContainment(test_, *query_.shape, candidate.center, candidate.size, most, query_.budget.stop);
+      checkContainment(test_, *query_.shape, region.center, region.size, most, query_.budget.stop);
   verification_boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
   {
-    incumbent_ = candidate;
+    incumbent_ = region;
     found_ = true;
   }
-  return proof.bad_point;
+  if (!proof.bad_point || !space_.travel)
+    return proof.bad_point;
+  return *proof.bad_point + (space_.travel->placeOf(region.center) - region.center);
 }
 
 /// Certifies a region a little smaller than the candidate. @return whether one was found
@@ -115,14 +124,14 @@ bool CenterSearch::certifyBelow(const Candidate& candidate)
 /// Climbs and certifies; a bad point that the witness points missed becomes one of them, and the climb starts anew.
 void CenterSearch::climbFrom(const Candidate& start)
 {
-  Candidate found = start;
+  Candidate found = searched(start);
   for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
   {
     found = local_search_.climb(found, BACK_OFFS[0] * accuracy_);
     const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
     if (!bad_point)
       break;
-    witnesses_.learn(found.center, found.size, *bad_point);
+    learn(found, *bad_point);
   }
   if (found.size > incumbent_.size + 0.5 * accuracy_)
     certifyBelow(found);
@@ -137,7 +146,7 @@ void CenterSearch::start()
     Eigen::Vector3d share((index % GRID + 0.5) / GRID, (index / GRID % GRID + 0.5) / GRID,
                           (index / (GRID * GRID) + 0.5) / GRID);
     const Eigen::Vector3d center = centers.lower + share.cwiseProduct(centers.upper - centers.lower);
-    starts.emplace_back(-test_.margin(center), center);
+    starts.emplace_back(-testOfClimbs().margin(searched({ center, 0.0 }).center), center);
   }
   const Eigen::Vector3d zero = zero_.cwiseMax(centers.lower).cwiseMin(centers.upper);
   std::partial_sort(starts.begin(), starts.begin() + STARTS, starts.end(),
@@ -152,12 +161,12 @@ void CenterSearch::start()
 /// if not, the bad point serves the boxes to come.
 void CenterSearch::tryCenter(const Box& centers, double size)
 {
-  const Candidate candidate{ centers.center(), size };
+  const Candidate candidate = searched({ centers.center(), size });
   if (!center_tests_.front().isPromising(candidate.center, size))
     return;
   const auto bad_point = certify(candidate);
   if (bad_point)
-    witnesses_.learn(candidate.center, size, *bad_point);
+    learn(candidate, *bad_point);
   else if (incumbent_.size == size)
   {
     grow();
@@ -173,7 +182,7 @@ void CenterSearch::grow()
     const Candidate larger{ incumbent_.center, incumbent_.size + step };
     const auto bad_point = certify(larger);
     if (bad_point)
-      witnesses_.learn(larger.center, larger.size, *bad_point);
+      learn(larger, *bad_point);
     if (incumbent_.size != larger.size)
       return;
   }

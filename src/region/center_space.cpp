@@ -20,14 +20,19 @@ bool runAlongAxis(const Machine& machine, int axis)
   return e == Interval(1.0) || e == Interval(-1.0);
 }
 
-/// Parallel rails without joint limits: nothing changes along them, so one plane of centers stands for all.
+/// Whether nothing bounds centers along the rails, or a search box does at every place alike.
+bool isFreeAlongRails(const Machine& machine, const RegionQuery& query)
+{
+  return slidesAlongRails(machine, query.criterion) &&
+         (!query.search_box || runAlongAxis(machine, mainAxisOfRails(machine)));
+}
+
+/// Then nothing changes along them, so one plane of centers stands for all.
 Box centersAcrossRails(const Machine& machine, const RegionQuery& query)
 {
   const int axis = mainAxisOfRails(machine);
   if (!query.search_box)
     return boundsAcrossRails(machine, query.criterion, axis, machine.zero()[axis]);
-  if (!runAlongAxis(machine, axis))
-    return *query.search_box;
   const double level = query.search_box->center()[axis];
   return intersection(boundsAcrossRails(machine, query.criterion, axis, level), *query.search_box);
 }
@@ -59,9 +64,11 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
 CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
 {
   const Box bounds = boundsOfSet(machine, query.criterion);
-  CenterSpace space{ bounds, sizeBound(machine, query, bounds) };
-  if (slidesAlongRails(machine, query.criterion))
+  CenterSpace space{ bounds, sizeBound(machine, query, bounds), std::nullopt };
+  if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
+  else if (machine.hasParallelRails())
+    space.centers = space.travel.emplace(machine, query, space.size_bound).places();
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);
   if (space.centers.isValid() && !isBounded(space.centers, machine))

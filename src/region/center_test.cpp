@@ -20,9 +20,20 @@ Enclosed<double> exactly(double value)
 }
 }  // namespace
 
-CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses)
-  : test_(test), shape_(shape), witnesses_(witnesses)
+CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
+                       const RailTravel* travel)
+  : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel)
 {}
+
+/// @return true when that alone excludes the box
+bool CenterTest::addTravel(const Box& places, double size)
+{
+  travel_forms_.clear();
+  travel_->addForms(places, size, witnesses_.ofShape(), travel_forms_);
+  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().squaredScale()));
+  return std::any_of(travel_forms_.begin(), travel_forms_.end(),
+                     [&](const AffineForm<double>& form) { return add(per_length * form); });
+}
 
 /// @return true when the form is negative on the whole box: that alone excludes it
 bool CenterTest::add(const AffineForm<double>& form)
@@ -108,6 +119,8 @@ bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kern
   for (const NecessaryForms& necessary : necessary_)
     if (addNecessary(necessary))
       return true;
+  if (travel_ && addTravel(centers, size))
+    return true;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();
@@ -127,8 +140,11 @@ bool CenterTest::isPromising(const Eigen::Vector3d& center, double size)
   test_.kernel().margins(center, size, places.data(), places.size(), margins_.data());
   if (*std::min_element(margins_.begin(), margins_.end()) < 0.0)
     return false;
+  const Eigen::Vector3d place = travel_ ? travel_->placeOf(center) : center;
+  if (travel_ && !travel_->leavesCenter(place, size, places))
+    return false;
   return std::none_of(witnesses_.bad().begin(), witnesses_.bad().end(), [&](const Eigen::Vector3d& point) {
-    return shape_.contains(point, Box{ center, center }, size);
+    return shape_.contains(point, Box{ place, place }, size);
   });
 }
 }  // namespace pkm_workspace

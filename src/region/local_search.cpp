@@ -17,11 +17,13 @@ constexpr double DIFFERENCE = 1e-7;  ///< half width of the boxes that give grad
 constexpr double SMALLEST_TRUST = 1e-12;  ///< relative to the longest strut
 }  // namespace
 
-LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers)
+LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers,
+                         const RailTravel* travel)
   : test_(test)
   , shape_(shape)
   , witnesses_(witnesses)
   , centers_(centers)
+  , travel_(travel)
   , scale_(std::sqrt(test.model().squaredScale()))
   , reach_(shape.halfExtents().maxCoeff())
 {}
@@ -39,9 +41,10 @@ LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
 
 LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const
 {
-  const Eigen::Vector3d normal = shape_.exit(point, candidate.center, candidate.size);
+  const Eigen::Vector3d center = travel_ ? travel_->placeOf(candidate.center) : candidate.center;
+  const Eigen::Vector3d normal = shape_.exit(point, center, candidate.size);
   const double support = shape_.support(normal);
-  return { normal, support, candidate.size * support - normal.dot(point - candidate.center) };
+  return { normal, support, candidate.size * support - normal.dot(point - center) };
 }
 
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
@@ -49,7 +52,9 @@ void LocalSearch::addExits(const Candidate& from, double trust)
 {
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
-    const Exit exit = exitOf(from, point);
+    Exit exit = exitOf(from, point);
+    if (travel_)
+      exit.normal = travel_->slopeOfPlace(exit.normal);
     LinearProgramme<5>::Row row{ 0.5 * slack_ - exit.depth, {} };
     for (std::size_t j = 0; j < 3; ++j)
       row.slope[j] = -trust * exit.normal[static_cast<int>(j)];

@@ -27,6 +27,11 @@ void WitnessPoints::learn(const Eigen::Vector3d& bad_point)
 void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
 {
   learn(bad_point);
+  learnPlace(center, size, bad_point);
+}
+
+void WitnessPoints::learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
+{
   const auto place = nearestInside(shape_, (bad_point - center) / size, Eigen::Vector3d::Zero(), 1.0);
   if (place)
     learnPlace(*place);

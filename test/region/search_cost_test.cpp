@@ -114,6 +114,27 @@ TEST(SearchCost, limitsThatBindNothing)
   EXPECT_EQ(with.box.upper, without.box.upper);
 }
 
+// Limits of parallel rails: those that leave every place enough travel cost nothing, those that bind little.
+TEST(SearchCost, limitsOfParallelRails)
+{
+  for (const ShapePtr& shape : { makeSquare(), makeDisc() })
+  {
+    const LargestRegion free = solve(uranesx(), shape, 1e-3);
+    for (const double limit : { 1.0, 0.4, 0.2 })
+    {
+      Machine::Legs legs = uranesx().legs();
+      for (Leg& leg : legs)
+        leg.limits = Interval(-limit, limit);
+      RegionQuery query;
+      query.shape = shape;
+      query.criterion.joint_limits = true;
+      const LargestRegion limited = findLargestRegion(Machine("limited", legs, uranesx().zero()), query);
+      EXPECT_EQ(limited.status, LargestRegion::Status::PROVEN) << shape->name() << ", " << limit;
+      EXPECT_LE(limited.boxes, limit == 1.0 ? free.boxes : 2 * free.boxes) << shape->name() << ", " << limit;
+    }
+  }
+}
+
 TEST(SearchCost, machinesWithoutSymmetry)
 {
   std::vector<std::int64_t> boxes;

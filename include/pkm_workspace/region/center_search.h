@@ -58,7 +58,12 @@ private:
 
   void start();
   void climbFrom(const Candidate& start);
+  const BoxTest& testOfCenters() const;
+  const BoxTest& testOfClimbs() const;
+  Candidate settled(const Candidate& candidate) const;
+  Candidate searched(const Candidate& candidate) const;
   std::optional<Eigen::Vector3d> certify(const Candidate& candidate);
+  void learn(const Candidate& refused, const Eigen::Vector3d& bad_point);
   bool certifyBelow(const Candidate& candidate);
   void processWave();
   Look lookAt(const Node& node, double size, CenterTest& center_test) const;
@@ -75,6 +80,8 @@ private:
   const RegionQuery& query_;
   BoxTest test_;
   CenterSpace space_;
+  std::optional<BoxTest> test_across_rails_;  ///< where centers have places: the criterion without joint limits
+  const RailTravel* travel_;                  ///< where it binds, or nullptr
   WitnessPoints witnesses_;
   std::vector<CenterTest> center_tests_;  ///< one for each box of a wave
   LocalSearch local_search_;

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
+#include "pkm_workspace/region/rail_travel.h"
 #include "pkm_workspace/region/witness_points.h"
 
 namespace pkm_workspace
@@ -17,15 +18,19 @@ namespace pkm_workspace
 /// v this makes v^T S v at c + h k, an affine form in the position delta of c within the box, necessarily non-negative.
 /// A linear programme over all these forms finds weights mu >= 0 whose combination is negative on the whole box
 /// (Farkas); the combination is then checked in sound arithmetic. Vectors are added where the programme's optimum still
-/// violates definiteness (Kelley's cutting planes). Known bad points give forms too: no region may contain them. Holds
-/// its working memory: one object a thread.
+/// violates definiteness (Kelley's cutting planes). Known bad points give forms too: no region may contain them. Along
+/// parallel rails the boxes are of places, and the delta that they leave over is the travel: a combination then
+/// excludes all of it at once. Holds its working memory: one object a thread.
 class CenterTest
 {
 public:
-  /// Keeps references: the witness points may grow between calls.
-  CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses);
+  /// Keeps references: the witness points may grow between calls. @param travel where centers have places, or nullptr:
+  /// the test is then of a criterion without joint limits
+  CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
+             const RailTravel* travel = nullptr);
 
-  /// Whether it is proved that no center in the box carries a region of this size, nor of a larger one.
+  /// Whether it is proved that no center in the box, or with its place there, carries a region of this size, nor of a
+  /// larger one.
   bool excludes(const Box& centers, double size);
 
   /// After excludes() was false: the optimum of the programme, without unit. The larger, the more room seems to be
@@ -37,6 +42,7 @@ public:
 
 private:
   bool excludes(const Box& centers, double size, const BoxKernel& kernel);
+  bool addTravel(const Box& places, double size);
   bool addNecessary(const NecessaryForms& necessary);
   bool add(const AffineForm<double>& form);
   bool combinationExcludes();
@@ -45,8 +51,10 @@ private:
   const BoxTest& test_;
   const Shape& shape_;
   const WitnessPoints& witnesses_;
+  const RailTravel* travel_;
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
+  std::vector<AffineForm<double>> travel_forms_;
   std::vector<double> margins_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
   double room_ = 0.0;

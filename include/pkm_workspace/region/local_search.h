@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
+#include "pkm_workspace/region/rail_travel.h"
 #include "pkm_workspace/region/witness_points.h"
 
 namespace pkm_workspace
@@ -23,7 +24,9 @@ class LocalSearch
 {
 public:
   /// Keeps references: the witness points may grow between calls. @param centers where the center may lie [m]
-  LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers);
+  /// @param travel where bad points are those of the places of centers, or nullptr
+  LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers,
+              const RailTravel* travel = nullptr);
 
   /// Climbs from a start. @param precision of the size
   /// @return the best candidate whose witness points satisfy the criterion; size <= 0 when there is none
@@ -57,6 +60,7 @@ private:
   const Shape& shape_;
   const WitnessPoints& witnesses_;
   Box centers_;
+  const RailTravel* travel_;
   double scale_;        ///< the longest strut [m]
   double reach_;        ///< largest half extent of K
   double slack_ = 0.0;  ///< largest violation that the programme may leave [m]

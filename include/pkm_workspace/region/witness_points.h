@@ -24,6 +24,9 @@ public:
   /// place in K is a witness, instead of one that was learnt before and is close to it.
   void learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point);
 
+  /// The same where the point is bad for this region only.
+  void learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point);
+
   /// The point is proved to be bad [m].
   void learn(const Eigen::Vector3d& bad_point);
 

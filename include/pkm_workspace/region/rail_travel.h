@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/interval/affine_form.h"
+#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/region/largest_region.h"
+
+namespace pkm_workspace
+{
+/// How the regions of a query move along parallel rails. With e the direction of the first rail, every center is x + t
+/// e with its place x in the plane where one coordinate is the level. t changes each joint value by t or -t and nothing
+/// else of what a criterion asks for, so that places are all that has to be searched: a region c + h K that satisfies
+/// the rest of the criterion at one t keeps its joint limits L_i <= r_i <= U_i, of the joint values r_i counted along
+/// e, for
+///   max (L_i - r_i(x + h k)) <= t <= min (U_i - r_i(x + h k)) over all legs i and points k of K,
+/// as far as the search box leaves these t. Thread-safe: constant after construction.
+class RailTravel
+{
+public:
+  /// @param size_bound no region of the query is larger, proved
+  /// @pre the rails are parallel; joint limits are asked for or there is a search box
+  RailTravel(const Machine& machine, const RegionQuery& query, double size_bound);
+
+  /// A flat box that contains the place of every center [m]; not valid where there is none.
+  const Box& places() const { return places_; }
+  /// A box that contains every center [m].
+  Box centers() const;
+  /// Whether limits or the search box may leave a place no t: otherwise each has one, and t is of no concern.
+  bool binds() const { return binds_; }
+
+  /// Appends forms over a box of places and the travel t = reach * delta[axis], |t| <= reach, that are not negative
+  /// where a region keeps the joint limits at these points of K and its center lies in the search box [m]. Valid where
+  /// the struts reach. None where nothing binds.
+  void addForms(const Box& places, double size, const std::vector<Eigen::Vector3d>& points,
+                std::vector<AffineForm<double>>& forms) const;
+
+  /// The place of a point, in floating point.
+  Eigen::Vector3d placeOf(const Eigen::Vector3d& point) const;
+  /// How n . placeOf(point) changes with the coordinates of the point.
+  Eigen::Vector3d slopeOfPlace(Eigen::Vector3d n) const
+  {
+    n[axis_] -= n.dot(direction_) / direction_[axis_];
+    return n;
+  }
+  /// Whether the limits and the search box leave a region at these points of K a center.
+  bool leavesCenter(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+  /// The center in the middle of what they leave it, or one strut beyond the limit if there is but one.
+  Eigen::Vector3d centerAt(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+
+private:
+  /// Values of t, in floating point.
+  struct Travel
+  {
+    double lower;
+    double upper;
+  };
+
+  Box placesAt(double level) const;
+  Interval travelOver(const Box& places) const;
+  Interval jointRange(int leg, const Box& places) const;
+  Interval alongRail(int leg) const;
+  int sense(int leg) const { return senses_[static_cast<std::size_t>(leg)]; }
+  bool alwaysLeavesTravel(double size_bound) const;
+  void addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const;
+  Travel travelAt(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+
+  Machine machine_;
+  MachineModel<double> model_;
+  Criterion criterion_;
+  ShapePtr shape_;
+  std::optional<Box> search_box_;
+  int axis_;
+  Eigen::Vector3d direction_;       ///< the middle of e
+  std::array<int, 3> senses_;       ///< 1, or -1 for a rail that points against e
+  std::array<Interval, 3> limits_;  ///< L_i and U_i [m]
+  bool binds_ = false;
+  Box places_;
+  double level_ = 0.0;  ///< [m]
+  double reach_ = 0.0;  ///< [m]
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of CenterSearch that is about places of centers along parallel rails.
+#include "pkm_workspace/region/center_search.h"
+
+namespace pkm_workspace
+{
+void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
+{
+  for (const Eigen::Vector3d& suspect : points)
+  {
+    const Eigen::Vector3d point = space_.travel ? space_.travel->placeOf(suspect) : suspect;
+    if (testOfCenters().classify(point) == BoxVerdict::OUTSIDE)
+      witnesses_.learn(point);
+  }
+}
+
+/// Learns from a region that is refused. Along parallel rails a point is bad for other regions too if it is without
+/// joint limits, and then all along the rails.
+void CenterSearch::learn(const Candidate& refused, const Eigen::Vector3d& bad_point)
+{
+  if (!space_.travel)
+  {
+    witnesses_.learn(refused.center, refused.size, bad_point);
+    return;
+  }
+  const Eigen::Vector3d place = space_.travel->placeOf(refused.center);
+  if (testOfCenters().classify(bad_point) == BoxVerdict::OUTSIDE)
+    witnesses_.learn(place, refused.size, bad_point);
+  else
+    witnesses_.learnPlace(place, refused.size, bad_point);
+}
+
+/// What boxes of centers are judged by: joint limits apart where centers have places.
+const BoxTest& CenterSearch::testOfCenters() const
+{
+  return test_across_rails_ ? *test_across_rails_ : test_;
+}
+
+/// What climbs go by: where every place has a center it need not be known.
+const BoxTest& CenterSearch::testOfClimbs() const
+{
+  return travel_ ? test_ : testOfCenters();
+}
+
+/// The same region, moved along parallel rails to where it is farthest from the joint limits.
+Candidate CenterSearch::settled(const Candidate& candidate) const
+{
+  if (!space_.travel)
+    return candidate;
+  const Eigen::Vector3d place = space_.travel->placeOf(candidate.center);
+  return { space_.travel->centerAt(place, candidate.size, witnesses_.ofShape()), candidate.size };
+}
+
+/// The same region where testOfClimbs() is asked for it.
+Candidate CenterSearch::searched(const Candidate& candidate) const
+{
+  return space_.travel && !travel_ ? Candidate{ space_.travel->placeOf(candidate.center), candidate.size }
+                                   : settled(candidate);
+}
+}  // namespace pkm_workspace
