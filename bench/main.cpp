@@ -7,6 +7,7 @@ int main(int argc, char** argv)
   pkm_workspace::bench::addHardRows();
   pkm_workspace::bench::addVerificationRows();
   pkm_workspace::bench::addPavingRows();
+  pkm_workspace::bench::addBusyRows();
   pkm_workspace::bench::addPathRows();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))

@@ -36,6 +36,8 @@ void addHardRows();
 void addVerificationRows();
 /// The paving of the Orthoglide's set, on one thread and on two.
 void addPavingRows();
+/// What more threads cost and gain where nothing else computes, and beside busy loops.
+void addBusyRows();
 /// Paths of many segments with what the machine does along them, and single points.
 void addPathRows();
 }  // namespace bench

@@ -46,6 +46,12 @@ void validatePositive(const char* name, double value, const char* unit, Problems
     complain(problems, name, value, std::string(unit) + " must be positive and finite");
 }
 
+void validateShare(const char* name, double value, const char* unit, Problems& problems)
+{
+  if (!(value >= 1e-15 && value <= 1.0))
+    complain(problems, name, value, std::string(unit) + " must be from 1e-15 to 1");
+}
+
 void validateBox(const char* name, const Box& box, Problems& problems)
 {
   for (int axis = 0; axis < 3; ++axis)

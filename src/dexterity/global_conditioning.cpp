@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/partial_mean.h"
+#include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
 {
@@ -189,7 +190,7 @@ private:
 
 void ConditioningQuery::validate(Problems& problems) const
 {
-  validatePositive("accuracy", accuracy, "(a conditioning index, without unit)", problems);
+  validateShare("accuracy", accuracy, "(a conditioning index, without unit)", problems);
   budget.validate(problems);
   if (max_memory != 0 && max_memory < LEAST_MEMORY)
     problems.push_back("max_memory = " + std::to_string(max_memory) + " bytes must be at least " +

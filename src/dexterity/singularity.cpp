@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
 {
@@ -201,7 +202,7 @@ private:
 
 void SingularityQuery::validate(Problems& problems) const
 {
-  validatePositive("accuracy", accuracy, "(relative)", problems);
+  validateShare("accuracy", accuracy, "(relative)", problems);
   budget.validate(problems);
   if (box)
     validateBox("box", *box, problems);
@@ -215,7 +216,7 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   const MachineModel<double> model(machine, criterion);
   const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
   Singularities result;
-  ThreadPool pool(query.budget.threads);
+  ThreadPool pool(query.budget.threads, 0.0);
   pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
     answer = LeastMeasure(model, query, measure).run(root);

@@ -66,9 +66,15 @@ Interval Bisection::volume(std::size_t level) const
 
 void BoxTree::addLevel(std::vector<CellState> states)
 {
-  counts_.emplace_back();
+  StateCounts counts{};
   for (const CellState state : states)
-    ++counts_.back()[static_cast<std::size_t>(state)];
+    ++counts[static_cast<std::size_t>(state)];
+  addLevel(std::move(states), counts);
+}
+
+void BoxTree::addLevel(std::vector<CellState> states, const StateCounts& counts)
+{
+  counts_.push_back(counts);
   levels_.push_back(std::move(states));
 }
 

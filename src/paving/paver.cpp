@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <array>
 
-#include "pkm_workspace/parallel.h"
-
 namespace pkm_workspace
 {
 namespace
 {
 /// Boxes of one level that a thread takes at a time.
-constexpr std::size_t CHUNK = 1024;
+constexpr std::size_t CHUNK = 128;
 /// Chunks between two reports.
-constexpr std::size_t CHUNKS_A_REPORT = 512;
+constexpr std::size_t CHUNKS_A_REPORT = 4096;
+/// Processor time after which others join [s]: levels double, so that most of the work is yet to come by then.
+constexpr double ALONE = 5e-4;
 /// What a box takes while its level is in work, and what its halves will take meanwhile [bytes].
 constexpr std::size_t BOX_BYTES = sizeof(Cell) + 2 * sizeof(CellState);
 constexpr std::size_t SPLIT_BYTES = 2 * BOX_BYTES;
@@ -26,11 +26,20 @@ CellState stateOf(BoxVerdict verdict, CellState undecided)
 }
 }  // namespace
 
+StateCounts Paver::Counts::states(std::size_t size) const
+{
+  const std::size_t known[] = { splits, inside, outside, boundary, size - splits - inside - outside - boundary };
+  StateCounts result{};
+  std::copy(std::begin(known), std::end(known), result.begin());  // in the order of CellState
+  return result;
+}
+
 void Paver::Counts::add(const Counts& other)
 {
   looked += other.looked;
   inside += other.inside;
   outside += other.outside;
+  boundary += other.boundary;
   splits += other.splits;
   known_splits += other.known_splits;
 }
@@ -39,7 +48,7 @@ Paver::Paver(const Machine& machine, const PavingQuery& query, const Paving* ear
   : query_(query)
   , earlier_(earlier)
   , test_(machine, query.criterion)
-  , pool_(query.budget.threads)
+  , pool_(query.budget.threads, ALONE)
   , begin_(std::chrono::steady_clock::now())
 {
   paving_.geometry_hash = machine.geometryHash();
@@ -58,7 +67,7 @@ Paving Paver::run()
   if (paving_.box.isValid())
   {
     paving_.tree = BoxTree(Bisection(paving_.box, query_.resolution));
-    for (Level level = firstLevel(); !level.cells.empty();)
+    for (Level level = firstLevel(); level.size > 0;)
       level = divide(level);
   }
   paving_.sumUp();
@@ -68,33 +77,47 @@ Paving Paver::run()
 
 Paver::Level Paver::firstLevel() const
 {
-  return { { Cell{ 0, 0, 0 } }, earlier_ ? earlier_->tree.level(0) : States{ CellState::PENDING } };
+  Level level(1);
+  level.cells[0] = { 0, 0, 0 };
+  if (earlier_)
+    level.known = earlier_->tree.level(0);
+  return level;
+}
+
+CellState Paver::known(const Level& level, std::size_t box) const
+{
+  return earlier_ ? level.known[box] : CellState::PENDING;
 }
 
 /// Looks at every box of a level. @return the halves of those that are neither decided nor small enough
 Paver::Level Paver::divide(const Level& level)
 {
-  States states = level.known;
+  States states(level.size);
   std::vector<Counts> counts = lookAtAll(level, states);
   keepToMemory(level, states, counts);
-  Level next = halves(level, states, counts);
-  paving_.tree.addLevel(std::move(states));
+  std::vector<Counts> before(counts.size() + 1);
+  for (std::size_t chunk = 0; chunk < counts.size(); ++chunk)
+  {
+    before[chunk + 1] = before[chunk];
+    before[chunk + 1].add(counts[chunk]);
+  }
+  Level next = halves(level, states, before);
+  paving_.tree.addLevel(std::move(states), before.back().states(level.size));
   return next;
 }
 
-/// @param states known ones at first, what is known afterwards at last @return the counts of each chunk
+/// @param states what is known afterwards @return the counts of each chunk
 std::vector<Paver::Counts> Paver::lookAtAll(const Level& level, States& states)
 {
-  const std::size_t size = level.cells.size();
-  const std::size_t end = endOfAllowed(level.known);
-  std::vector<Counts> counts((size + CHUNK - 1) / CHUNK);
+  const std::size_t last = endOfAllowed(level);
+  std::vector<Counts> counts((level.size + CHUNK - 1) / CHUNK);
   Counts sum;
   for (std::size_t begin = 0; begin < counts.size(); begin += CHUNKS_A_REPORT)
   {
     const std::size_t chunks = std::min(CHUNKS_A_REPORT, counts.size() - begin);
     pool_.forEach(chunks, [&](std::size_t index) {
       const std::size_t first = (begin + index) * CHUNK;
-      counts[begin + index] = lookAt(level, first, std::min(end, first + CHUNK), states.data());
+      counts[begin + index] = lookAt(level, first, std::min(last, first + CHUNK), states.data());
     });
     for (std::size_t index = begin; index < begin + chunks; ++index)
       sum.add(counts[index]);
@@ -113,6 +136,9 @@ Paver::Counts Paver::lookAt(const Level& level, std::size_t first, std::size_t l
   Counts counts;
   const Bisection& bisection = paving_.tree.bisection();
   const std::size_t number = paving_.tree.levels();
+  const std::size_t end = std::min(first + CHUNK, level.size);
+  for (std::size_t k = first; k < end; ++k)
+    states[k] = known(level, k);
   if (!late())
     for (std::size_t k = first; k < last; ++k)
       if (states[k] == CellState::PENDING)
@@ -124,27 +150,28 @@ Paver::Counts Paver::lookAt(const Level& level, std::size_t first, std::size_t l
   const CellState undecided = number == bisection.depth() ? CellState::BOUNDARY : CellState::SPLIT;
   for (std::size_t k = 0; k < counts.looked; ++k)
     states[open[k]] = stateOf(verdicts[k], undecided);
-  for (std::size_t k = first; k < std::min(first + CHUNK, level.cells.size()); ++k)
+  for (std::size_t k = first; k < end; ++k)
   {
     if (states[k] == CellState::SPLIT || states[k] == CellState::BOUNDARY)
       states[k] = undecided;  // an earlier paving may have been coarser or finer
     counts.inside += states[k] == CellState::INSIDE ? 1 : 0;
     counts.outside += states[k] == CellState::OUTSIDE ? 1 : 0;
+    counts.boundary += states[k] == CellState::BOUNDARY ? 1 : 0;
     counts.splits += states[k] == CellState::SPLIT ? 1 : 0;
-    counts.known_splits += states[k] == CellState::SPLIT && level.known[k] == CellState::SPLIT ? 1 : 0;
+    counts.known_splits += states[k] == CellState::SPLIT && known(level, k) == CellState::SPLIT ? 1 : 0;
   }
   return counts;
 }
 
 /// @return up to which box of the level the budget allows looks
-std::size_t Paver::endOfAllowed(const States& known) const
+std::size_t Paver::endOfAllowed(const Level& level) const
 {
   if (query_.budget.max_boxes == 0)
-    return known.size();
+    return level.size;
   std::int64_t allowed = query_.budget.max_boxes - paving_.boxes_here;
   std::size_t end = 0;
-  for (; end < known.size(); ++end)
-    if (known[end] == CellState::PENDING && allowed-- <= 0)
+  for (; end < level.size; ++end)
+    if (known(level, end) == CellState::PENDING && allowed-- <= 0)
       break;
   return end;
 }
@@ -159,7 +186,7 @@ void Paver::keepToMemory(const Level& level, States& states, std::vector<Counts>
   for (const Counts& chunk : counts)
     needed += SPLIT_BYTES * chunk.splits;
   for (std::size_t k = states.size(); k > 0 && needed > static_cast<std::size_t>(query_.max_memory); --k)
-    if (states[k - 1] == CellState::SPLIT && level.known[k - 1] != CellState::SPLIT)
+    if (states[k - 1] == CellState::SPLIT && known(level, k - 1) != CellState::SPLIT)
     {
       states[k - 1] = CellState::PENDING;
       --counts[(k - 1) / CHUNK].splits;
@@ -167,25 +194,21 @@ void Paver::keepToMemory(const Level& level, States& states, std::vector<Counts>
     }
 }
 
-Paver::Level Paver::halves(const Level& level, const States& states, const std::vector<Counts>& counts)
+/// @param before of each chunk, the counts of all that come before it; at last of all
+Paver::Level Paver::halves(const Level& level, const States& states, const std::vector<Counts>& before)
 {
-  std::vector<Counts> before(counts.size() + 1);
-  for (std::size_t chunk = 0; chunk < counts.size(); ++chunk)
-  {
-    before[chunk + 1] = before[chunk];
-    before[chunk + 1].add(counts[chunk]);
-  }
   const std::size_t number = paving_.tree.levels();
-  const std::size_t size = 2 * before.back().splits;
-  Level next{ std::vector<Cell>(size), States(size, CellState::PENDING) };
-  pool_.forEach(counts.size(), [&](std::size_t chunk) {
+  Level next(2 * before.back().splits);
+  if (earlier_)
+    next.known = States(next.size, CellState::PENDING);
+  pool_.forEach(before.size() - 1, [&](std::size_t chunk) {
     std::size_t half = 2 * before[chunk].splits;
     std::size_t known = 2 * before[chunk].known_splits;
     for (std::size_t k = chunk * CHUNK; k < std::min(states.size(), (chunk + 1) * CHUNK); ++k)
       if (states[k] == CellState::SPLIT)
         for (const std::uint32_t side : { 0U, 1U })
         {
-          if (level.known[k] == CellState::SPLIT)
+          if (this->known(level, k) == CellState::SPLIT)
             next.known[half] = earlier_->tree.level(number + 1)[known++];
           next.cells[half++] = paving_.tree.bisection().half(level.cells[k], number, side);
         }
@@ -203,7 +226,7 @@ void Paver::report(const Level& level, const Counts& sum)
   const auto volume = [&each](std::size_t count) { return Interval(static_cast<double>(count)) * each; };
   const Interval inside = tree.volume(CellState::INSIDE) + volume(sum.inside);
   const Interval undecided = tree.volume(CellState::BOUNDARY) + tree.volume(CellState::PENDING) +
-                             volume(level.cells.size() - sum.inside - sum.outside);
+                             volume(level.size - sum.inside - sum.outside);
   query_.progress(
       { inside.lower(), undecided.upper(), paving_.boxes_here + static_cast<std::int64_t>(sum.looked), seconds() });
   next_progress_ = seconds() + 0.1;

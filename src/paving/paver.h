@@ -2,8 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <vector>
 
+#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/paving/paving.h"
 
 namespace pkm_workspace
@@ -22,10 +24,14 @@ public:
 private:
   using States = std::vector<CellState>;
 
-  /// The boxes of a level, and what the earlier paving knows of each; nothing where PENDING.
+  /// The boxes of a level, and what the earlier paving knows of each: nothing where PENDING, or where there is none.
+  /// Cells are first written by the threads that share them: what one thread does for all boxes alone is kept small.
   struct Level
   {
-    std::vector<Cell> cells;
+    explicit Level(std::size_t boxes) : size(boxes), cells(new Cell[boxes]) {}
+
+    std::size_t size;
+    std::unique_ptr<Cell[]> cells;
     States known;
   };
 
@@ -35,19 +41,23 @@ private:
     std::size_t looked = 0;
     std::size_t inside = 0;
     std::size_t outside = 0;
+    std::size_t boundary = 0;
     std::size_t splits = 0;
     std::size_t known_splits = 0;  ///< of these, boxes that the earlier paving has split, too
 
     void add(const Counts& other);
+    /// @param size of the level, of which the rest is PENDING
+    StateCounts states(std::size_t size) const;
   };
 
   Level firstLevel() const;
   Level divide(const Level& level);
+  CellState known(const Level& level, std::size_t box) const;
   std::vector<Counts> lookAtAll(const Level& level, States& states);
   Counts lookAt(const Level& level, std::size_t first, std::size_t last, CellState* states) const;
-  std::size_t endOfAllowed(const States& known) const;
+  std::size_t endOfAllowed(const Level& level) const;
   void keepToMemory(const Level& level, States& states, std::vector<Counts>& counts) const;
-  Level halves(const Level& level, const States& states, const std::vector<Counts>& counts);
+  Level halves(const Level& level, const States& states, const std::vector<Counts>& before);
   void report(const Level& level, const Counts& sum);
 
   double seconds() const;

@@ -115,7 +115,7 @@ Machine withJointLimits(const Machine& machine, const std::array<Interval, 3>& l
 void RangeQuery::validate(Problems& problems) const
 {
   validateRanges(ranges, problems);
-  validatePositive("accuracy", accuracy, "(relative)", problems);
+  validateShare("accuracy", accuracy, "(relative)", problems);
   budget.validate(problems);
 }
 

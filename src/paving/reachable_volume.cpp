@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pkm_workspace/parallel.h"
+
 namespace pkm_workspace
 {
 namespace

@@ -3,6 +3,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/study/best_parameter.h"
 
 namespace pkm_workspace
@@ -37,7 +38,7 @@ std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count)
   const std::vector<Interval> ranges = equalParts(query.range, count);
   std::vector<BestParameter> parts(ranges.size());
   std::vector<std::exception_ptr> failures(ranges.size());
-  ThreadPool(query.region.budget.threads).forEach(ranges.size(), [&](std::size_t k) {
+  ThreadPool(query.region.budget.threads, 0.0).forEach(ranges.size(), [&](std::size_t k) {
     StudyQuery of_part = part;
     of_part.range = ranges[k];
     try

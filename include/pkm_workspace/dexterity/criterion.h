@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/interval/box.h"
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/processors.h"
 
 namespace pkm_workspace
 {
@@ -34,6 +34,8 @@ struct Budget
 void validateBox(const char* name, const Box& box, Problems& problems);
 /// Appends one sentence unless the value is positive and finite.
 void validatePositive(const char* name, double value, const char* unit, Problems& problems);
+/// Appends one sentence unless the value is from 1e-15 to 1.
+void validateShare(const char* name, double value, const char* unit, Problems& problems);
 
 /// What is asked of every point of a region (paper, section 2.1.1): that the struts reach it, and each of the bounds
 /// that are set. Values with defaults; validate() tells what is wrong.

@@ -19,6 +19,8 @@ enum class CellState : std::uint8_t
   BOUNDARY,  ///< undecided at the resolution
   PENDING,   ///< not looked at
 };
+/// How many boxes have each state.
+using StateCounts = std::array<std::int64_t, 5>;
 
 /// A box of a bisection by its numbers: which part it is along each axis.
 using Cell = std::array<std::uint32_t, 3>;
@@ -71,6 +73,8 @@ public:
   const std::vector<CellState>& level(std::size_t number) const { return levels_[number]; }
   /// @param states as many as the levels before leave open
   void addLevel(std::vector<CellState> states);
+  /// The same where the states are counted already.
+  void addLevel(std::vector<CellState> states, const StateCounts& counts);
 
   /// Memory that the boxes take [bytes].
   std::size_t bytes() const;
@@ -89,6 +93,6 @@ public:
 private:
   Bisection bisection_;
   std::vector<std::vector<CellState>> levels_;
-  std::vector<std::array<std::int64_t, 5>> counts_;
+  std::vector<StateCounts> counts_;
 };
 }  // namespace pkm_workspace
