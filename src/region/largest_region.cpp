@@ -9,6 +9,13 @@
 
 namespace pkm_workspace
 {
+namespace
+{
+/// Of the longest strut. Finer than what doubles can tell, coarser than any region.
+constexpr double FINEST_ACCURACY = 1e-18;
+constexpr double COARSEST_ACCURACY = 1e3;
+}  // namespace
+
 void RegionQuery::validate(Problems& problems) const
 {
   if (!shape)
@@ -24,6 +31,19 @@ void RegionQuery::validate(Problems& problems) const
   budget.validate(problems);
   if (search_box)
     validateBox("search_box", *search_box, problems);
+}
+
+void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems)
+{
+  const double unit = machine.scale() / (2.0 * query.shape->halfExtents().maxCoeff());
+  const double finest = FINEST_ACCURACY * unit;
+  const double coarsest = COARSEST_ACCURACY * unit;
+  if (finest <= query.accuracy && query.accuracy <= coarsest)
+    return;
+  std::ostringstream text;
+  text << "accuracy = " << query.accuracy << " (in the unit of the size, m for edges) must be from " << finest << " to "
+       << coarsest << " for this machine, whose longest strut is " << machine.scale() << " m";
+  problems.push_back(text.str());
 }
 
 void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
@@ -79,7 +99,9 @@ void conclude(LargestRegion& region, double accuracy, bool stopped)
 
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)
 {
-  validated(query);
+  Problems problems;
+  validateAccuracy(machine, validated(query), problems);
+  throwProblems(problems);
   LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
   if (region.size > 0.0)
     region.joint_ranges = jointRanges(machine, *region.shape, region.center, region.size);

@@ -23,6 +23,7 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
   query.criterion = fromMessage(request.criterion, query.criterion, problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.validate(problems);
+  validateAccuracy(context_.machine(), query, problems);
   throwProblems(problems);
   centerSpace(context_.machine(), query);  // refuses what has no bounded answer
   context_.setCriterion(query.criterion, query.accuracy);

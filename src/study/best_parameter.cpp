@@ -283,6 +283,8 @@ void StudyQuery::validate(Problems& problems) const
   if (region.ratio)
     problems.push_back("a study compares regions of one shape: a cylinder needs one ratio");
   region.validate(problems);
+  if (problems.empty())
+    validateAccuracy(family.at(Interval(range.lower())), region, problems);
 }
 
 BestParameter findBestParameter(const StudyQuery& query)

@@ -43,6 +43,8 @@ REFUSALS = [
     (LARGEST + "--psi-max 1e999", "--psi-max 1e999: 1e999 is not a finite number that fits a double"),
     (LARGEST + "--accuracy 0", "--accuracy 0: 0 is out of range; allowed: > 0 m"),
     (LARGEST + "--accuracy 1e-400", "--accuracy 1e-400: 1e-400 is not a finite number that fits a double"),
+    (LARGEST + "--accuracy 1e300", r"accuracy = 1e\+300 .*must be from 1e-18 to 1000 for this machine"),
+    (LARGEST + "--accuracy 1e-300", "accuracy = 1e-300 .*must be from 1e-18 to 1000 for this machine"),
     (LARGEST + "--joint-limits yes", "--joint-limits yes: 'yes' is not known; allowed: on, off"),
     (LARGEST + "--shape egg", "--shape egg: 'egg' is not known; allowed: cube, square, box, sphere, disc, cylinder"),
     (LARGEST + "--shape cylinder", "--shape cylinder: shape = cylinder needs a ratio"),

@@ -102,6 +102,19 @@ TEST(RegionQuery, refusesEverythingThatIsOutOfRangeAtOnce)
     test::expectThrow<std::invalid_argument>(find, pattern);
 }
 
+TEST(RegionQuery, refusesAccuraciesOutOfAllProportion)
+{
+  RegionQuery query;
+  for (const double accuracy : { 1e300, 1e4, 1e-19, 1e-300 })
+  {
+    query.accuracy = accuracy;
+    test::expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); },
+                                             "accuracy = 1e.* must be from 1e-18 to 1000 for this machine");
+  }
+  query.shape = makeBox({ 0.01, 0.02, 0.01 });  // sizes are a hundred times larger
+  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); }, "from 5e-17 to 50000 ");
+}
+
 TEST(RegionQuery, refusesWhatHasNoBound)
 {
   RegionQuery query;

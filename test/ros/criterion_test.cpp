@@ -56,6 +56,9 @@ TEST(SetCriterion, refusesWhatIsOutOfRangeAndChangesNothing)
   expectRefused(psi(0.0, NOT_A_NUMBER), 0.0, "psi_max = nan .*must be");
   expectRefused(psi(3.0, 0.0), 0.0, "psi_max = 2 .*at least psi_min");
   expectRefused(CriterionRequest(), -1.0, "accuracy = -1.* m.*must be");
+  for (const double accuracy : { 1e300, 1e-300 })
+    expectRefused(CriterionRequest(), accuracy,
+                  "accuracy = 1e.300 .*must be from 1e-18 to 1000 for this machine, whose longest strut is 1 m");
   CriterionRequest unknown;
   unknown.joint_limits = 5;
   expectRefused(unknown, 0.0, "joint_limits = 5 must be");

@@ -55,6 +55,8 @@ const BadRequest BAD_REQUESTS[] = {
   { "infinite psi_max", [](auto& q) { q.criterion.psi_max = INF; }, "psi_max = inf .*must be positive and finite" },
   { "negative accuracy", [](auto& q) { q.accuracy = -1e-3; }, "accuracy = -0.001.* m.*must be positive" },
   { "NaN accuracy", [](auto& q) { q.accuracy = NAN_VALUE; }, "accuracy = nan.*must be positive" },
+  { "huge accuracy", [](auto& q) { q.accuracy = 1e300; }, "accuracy = 1e\\+300.* must be from 1e-18 to 1000 " },
+  { "vanishing accuracy", [](auto& q) { q.accuracy = 1e-300; }, "accuracy = 1e-300.* must be from 1e-18 to 1000 " },
   { "aspect of another number", [](auto& q) { q.aspect = 3; }, "aspect = 3 must be OWN = 0, OTHER = 1 or BOTH = 2" },
   { "both aspects of a dextrous region", [](auto& q) { q.aspect = 2; }, "bounded factors lies in one aspect" },
   { "set of another number", [](auto& q) { q.criterion.set = 3; },

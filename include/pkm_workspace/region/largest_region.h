@@ -47,6 +47,10 @@ struct RegionQuery
   void validate(Problems& problems) const;
 };
 
+/// Appends one sentence when the accuracy is out of all proportion to the machine: as a length of the region, below
+/// 1e-18 or above 1000 times the longest strut.
+void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems);
+
 /// Sets shape and ratio of a query by name. @param proportions of a box @param ratio of a cylinder, 1e-6 to 1e6
 /// @throws std::invalid_argument for an unknown name, for what is missing, out of range, or of another shape
 void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
