@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/frames.h"
 
+#include <ros/init.h>
 #include <tf2/exceptions.h>
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include "pkm_workspace/machine/frame.h"
 #include "pkm_workspace/ros/reply.h"
+#include "pkm_workspace/ros/worker.h"
 
 namespace pkm_workspace
 {
 namespace
 {
 constexpr double PATIENCE = 1.0;  // [s]
-constexpr double REST = 10.0;     // [s] from the beginning of one wait to the next for the same name
-constexpr std::size_t MOST_NAMES = 16;
-constexpr std::size_t LONGEST_NAME = 256;
-constexpr double LOOK = 0.01;  // [s] between two looks
+constexpr double LOOK = 0.01;     // [s] between two looks
+constexpr int DEEPEST = 1000;     // frames above each other, as in tf
 
 std::optional<geometry_msgs::Transform> lookUp(const std::string& frame, const std::string& root,
                                                const tf2_ros::Buffer& buffer)
@@ -33,19 +32,20 @@ std::optional<geometry_msgs::Transform> lookUp(const std::string& frame, const s
   }
 }
 
-std::string unknownFrame(const std::string& name, const std::string& root, const tf2_ros::Buffer& buffer)
+/// Looks again for a while, and lets other requests pass.
+std::optional<geometry_msgs::Transform> await(const std::string& frame, const std::string& root,
+                                              const tf2_ros::Buffer& buffer)
 {
-  std::vector<std::string> all;
-  buffer._getFrameStrings(all);
-  const bool exists = std::count(all.begin(), all.end(), name) > 0;
-  std::string known = root;
-  std::sort(all.begin(), all.end());
-  for (const std::string& other : all)
-    if (other != root && buffer.canTransform(other, root, ros::Time()))
-      known += ", " + other;
-  return "header.frame_id = '" + name + "' " +
-         (exists ? "is not connected to '" + root + "' in tf" : "is not known to tf") + "; empty stands for '" + root +
-         "', and these frames are known: " + known;
+  std::optional<geometry_msgs::Transform> known;
+  Worker::stepAside([&] {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(PATIENCE);
+    while (!known && ros::WallTime::now() < end && !ros::isShuttingDown())
+    {
+      ros::WallDuration(LOOK).sleep();
+      known = lookUp(frame, root, buffer);
+    }
+  });
+  return known;
 }
 }  // namespace
 
@@ -61,28 +61,53 @@ Eigen::Isometry3d FramedMachine::toRoot() const
   return (Eigen::Translation3d(shift) * turn.normalized()).inverse();
 }
 
-Frames::Frames(const Machine& machine, const std::string& root)
+Frames::Frames(const Machine& machine, const std::string& root, const std::vector<std::string>& moved)
   : root_{ root, std::make_shared<const Machine>(machine), machine.geometryHash(), geometry_msgs::Pose() }
+  , moved_(moved.begin(), moved.end())
   , listener_(buffer_)
 {
   root_.root.orientation.w = 1.0;
 }
 
+std::string Frames::moverOf(const std::string& frame) const
+{
+  std::string name = frame;
+  for (int depth = 0; depth < DEEPEST && name != root_.frame; ++depth)
+  {
+    if (moved_.count(name) > 0)
+      return name;
+    std::string parent;
+    if (!buffer_._getParent(name, ros::Time(), parent))
+      break;
+    name = parent;
+  }
+  return "";
+}
+
+std::string Frames::known() const
+{
+  std::vector<std::string> all;
+  buffer_._getFrameStrings(all);
+  std::sort(all.begin(), all.end());
+  std::string names = root_.frame;
+  for (const std::string& name : all)
+    if (name != root_.frame && buffer_.canTransform(name, root_.frame, ros::Time()) && moverOf(name).empty())
+      names += ", " + name;
+  return names;
+}
+
 geometry_msgs::Pose Frames::rootIn(const std::string& frame, bool patiently) const
 {
-  std::optional<geometry_msgs::Transform> known = lookUp(frame, root_.frame, buffer_);
-  if (!known && patiently && mayWait(frame))
-  {
-    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(PATIENCE);
-    while (!known && ros::WallTime::now() < end)
-    {
-      ros::WallDuration(LOOK).sleep();
-      known = lookUp(frame, root_.frame, buffer_);
-    }
-  }
-  if (!known)
-    throw Refusal(ErrorCode::UNKNOWN_FRAME, unknownFrame(frame, root_.frame, buffer_));
-  const geometry_msgs::Transform& transform = *known;
+  std::optional<geometry_msgs::Transform> found = lookUp(frame, root_.frame, buffer_);
+  if (!found && patiently)
+    found = await(frame, root_.frame, buffer_);
+  if (!found)
+    throw Refusal(
+        ErrorCode::UNKNOWN_FRAME,
+        "header.frame_id = '" + frame + "' " +
+            (buffer_._frameExists(frame) ? "is not connected to '" + root_.frame + "' in tf" : "is not known to tf") +
+            "; empty stands for '" + root_.frame + "', and these frames are known: " + known());
+  const geometry_msgs::Transform& transform = *found;
   geometry_msgs::Pose pose;
   pose.position.x = transform.translation.x;
   pose.position.y = transform.translation.y;
@@ -99,16 +124,13 @@ Eigen::Vector3d Frames::pointInRoot(const std::string& name, const Eigen::Vector
   return FramedMachine{ frame, nullptr, "", rootIn(frame, false) }.toRoot() * point;
 }
 
-bool Frames::mayWait(const std::string& frame) const
+void Frames::requireStill(const std::string& frame) const
 {
-  const ros::WallTime now = ros::WallTime::now();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto name = waited_.begin(); name != waited_.end();)
-    name = now - name->second > ros::WallDuration(REST) ? waited_.erase(name) : std::next(name);
-  const auto earlier = waited_.find(frame);
-  if (earlier != waited_.end())
-    return now - earlier->second < ros::WallDuration(PATIENCE);
-  return waited_.size() < MOST_NAMES && frame.size() < LONGEST_NAME && waited_.emplace(frame, now).second;
+  const std::string mover = moverOf(frame);
+  if (!mover.empty())
+    throw Refusal(ErrorCode::INVALID_REQUEST,
+                  "header.frame_id = '" + frame + "' " + (mover == frame ? "" : "hangs at '" + mover + "', which ") +
+                      "moves with the machine: name a frame that stands still, such as " + known());
 }
 
 FramedMachine Frames::machineIn(const std::string& name) const
@@ -116,7 +138,9 @@ FramedMachine Frames::machineIn(const std::string& name) const
   const std::string frame = bare(name);
   if (frame.empty() || frame == root_.frame)
     return root_;
+  requireStill(frame);
   FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, true) };
+  requireStill(frame);  // tf may not have known before where it hangs
   const geometry_msgs::Point& position = framed.root.position;
   const geometry_msgs::Quaternion& orientation = framed.root.orientation;
   const Pose pose{ { orientation.x, orientation.y, orientation.z, orientation.w },

@@ -18,6 +18,9 @@ void requireAnswerable(const Machine& machine, const Parameters& parameters)
   const std::string defect = rounding::selfTest();
   if (!defect.empty())
     throw std::runtime_error("nothing can be proved on this computer: " + defect);
+  Problems problems;
+  validateAccuracy(machine, parameters.query, problems);
+  throwProblems(problems);
   centerSpace(machine, parameters.query);
 }
 
@@ -32,6 +35,13 @@ void logMachine(const UrdfMachine& urdf, const std::string& frame)
   ROS_INFO_STREAM_NAMED("urdf", "machine '" << urdf.machine.name() << "' in frame " << frame << legs.str()
                                             << "; geometry " << urdf.machine.geometryHash());
 }
+std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std::vector<std::string>& links)
+{
+  std::vector<std::string> frames;
+  for (const std::string& link : links)
+    frames.push_back(frameOf(private_node, link));
+  return frames;
+}
 }  // namespace
 
 NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_handle)
@@ -41,7 +51,7 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   , deciding(private_handle)
   , parameters(loadParameters(private_handle))
   , urdf(loadMachine(private_handle, parameters.urdf))
-  , frames(urdf.machine, frameOf(private_handle, urdf.root_link))
+  , frames(urdf.machine, frameOf(private_handle, urdf.root_link), framesOf(private_handle, urdf.moved_links))
   , query_(parameters.query)
 {
   requireAnswerable(machine(), parameters);

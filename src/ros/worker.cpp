@@ -11,6 +11,11 @@ namespace pkm_workspace
 {
 namespace
 {
+constexpr double NAP = 0.02;  // [s] between two looks for the end
+
+/// Whose callbacks this thread calls.
+thread_local Worker* served = nullptr;
+
 class Job : public ros::CallbackInterface
 {
 public:
@@ -38,12 +43,41 @@ void Worker::post(const std::function<void()>& job)
   queue_.addCallback(boost::make_shared<Job>(job));
 }
 
+void Worker::start()
+{
+  thread_ = std::thread([this] { serve(stopped_); });
+}
+
+void Worker::serve(const std::atomic<bool>& ends)
+{
+  served = this;
+  while (!ends && !stopped_)
+    queue_.callOne(ros::WallDuration(NAP));  // not callAvailable(): what it takes nobody else can call
+}
+
+bool Worker::stepAside(const std::function<void()>& wait)
+{
+  Worker* const worker = served;
+  if (!worker)
+    return wait(), true;
+  if (worker->is_aside_)
+    return false;
+  worker->is_aside_ = true;
+  std::atomic<bool> is_back(false);
+  std::thread deputy([worker, &is_back] { worker->serve(is_back); });
+  wait();
+  is_back = true;
+  deputy.join();
+  worker->is_aside_ = false;
+  return true;
+}
+
 StopFlag Worker::makeStopFlag()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   flags_.erase(std::remove_if(flags_.begin(), flags_.end(), [](const auto& flag) { return flag.expired(); }),
                flags_.end());
-  const auto flag = std::make_shared<std::atomic<bool>>(stopped_);
+  const auto flag = std::make_shared<std::atomic<bool>>(stopped_.load());
   flags_.push_back(flag);
   return flag;
 }
@@ -59,6 +93,7 @@ void Worker::stop()
   }
   queue_.disable();
   queue_.clear();
-  spinner_.stop();
+  if (thread_.joinable())
+    thread_.join();
 }
 }  // namespace pkm_workspace

@@ -127,6 +127,23 @@ std::vector<JointFollower> followersIn(const Model& model, const Rails& rails, c
       followers.push_back(model.masters.at(name));
   return followers;
 }
+/// Whether a joint between the link and the root is not fixed.
+bool isMoved(const urdf::Link& link)
+{
+  for (const urdf::Link* below = &link; below->parent_joint; below = below->getParent().get())
+    if (below->parent_joint->type != urdf::Joint::FIXED)
+      return true;
+  return false;
+}
+
+std::vector<std::string> movedLinks(const Model& model)
+{
+  std::vector<std::string> moved;
+  for (const auto& [name, link] : model.tree->links_)
+    if (isMoved(*link))
+      moved.push_back(name);
+  return moved;
+}
 }  // namespace
 
 UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
@@ -134,7 +151,7 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   const Model model = readModel(xml);
   const Rails rails = findRails(model, options.rails);
   const ClosedLegs legs = closeLegs(model, rails, options.tcp_links);
-  UrdfMachine urdf{ makeMachine(model, rails, legs), model.tree->getRoot()->name, {}, {}, {}, {}, {} };
+  UrdfMachine urdf{ makeMachine(model, rails, legs), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {} };
   for (std::size_t i = 0; i < 3; ++i)
   {
     urdf.slider_links[i] = rails[i].joint->child_link_name;
@@ -143,6 +160,7 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   }
   urdf.followers = followersIn(model, rails, legs);
   urdf.warnings = warningsAbout(model, rails, legs);
+  urdf.moved_links = movedLinks(model);
   return urdf;
 }
 

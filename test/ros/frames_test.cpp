@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pkm_workspace/ComputeWorkspace.h>
+#include <pkm_workspace/EvaluatePoint.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
@@ -36,7 +40,8 @@ const Eigen::Quaterniond QUARTER(Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::
 const Eigen::Vector3d SHIFT(1.0, 2.0, 3.0);
 const Eigen::Quaterniond TILT(Eigen::AngleAxisd(M_PI / 6.0, Eigen::Vector3d::UnitX()));
 
-/// Above the machine's root a workbench, turned by a quarter; below it a tilted table; and a cloud that hangs nowhere.
+/// Above the machine's root a workbench, turned by a quarter; below it a tilted table; a gripper at the
+/// tool; and a cloud that hangs nowhere.
 class Frame : public testing::Test
 {
 protected:
@@ -44,7 +49,7 @@ protected:
   {
     broadcaster_.sendTransform({ stamped("workbench", "base_link", QUARTER, SHIFT),
                                  stamped("base_link", "table", TILT, Eigen::Vector3d::Zero()),
-                                 stamped("cloud", "drop", TILT, SHIFT) });
+                                 stamped("tcp_1", "gripper", TILT, SHIFT), stamped("cloud", "drop", TILT, SHIFT) });
   }
 
   tf2_ros::StaticTransformBroadcaster broadcaster_;
@@ -55,6 +60,37 @@ RegionRequest in(const std::string& frame)
   RegionRequest request;
   request.header.frame_id = frame;
   return request;
+}
+
+/// Asks for frames that do not exist, a new one each time, and has others ask for what does.
+/// @param request without frames @param frame of a request
+/// @return the most answers that others got while one such request was open
+template <class Service>
+int answersMeanwhile(const std::string& name, const typename Service::Request& request,
+                     std::string& (*frame)(typename Service::Request&))
+{
+  std::atomic<int> answers(0);
+  std::atomic<bool> ends(false);
+  int most = 0;
+  std::thread misspelling([&] {
+    for (int k = 0; k < 4; ++k)
+    {
+      typename Service::Request misspelt = request;
+      frame(misspelt) = "misspelt_" + std::to_string(k);
+      const int before = answers;
+      EXPECT_EQ(ErrorCode::UNKNOWN_FRAME, call<Service>(name, misspelt).error_code);
+      most = std::max(most, answers - before);
+    }
+    ends = true;
+  });
+  while (!ends)
+  {
+    const auto response = call<Service>(name, request);
+    EXPECT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+    ++answers;
+  }
+  misspelling.join();
+  return most;
 }
 
 void expectBracket(const Region& region, double size)
@@ -128,6 +164,35 @@ TEST_F(Frame, unknownIsRefusedWithThoseThatAreKnown)
   const auto apart = compute(in("drop"));
   EXPECT_EQ(ErrorCode::UNKNOWN_FRAME, apart.error_code);
   EXPECT_NE(std::string::npos, apart.message.find("'drop' is not connected to 'base_link'")) << apart.message;
+}
+
+TEST_F(Frame, thatTheMachineMovesIsRefused)
+{
+  compute(in("table"));  // by then the node knows of all
+  for (const char* const moved : { "tcp_1", "slider_2", "/tcp_1" })
+  {
+    const auto response = compute(in(moved));
+    EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code) << moved;
+    EXPECT_NE(std::string::npos, response.message.find("moves with the machine: name a frame that stands still, such "
+                                                       "as base_link, table, workbench"))
+        << response.message;
+  }
+  const auto gripped = compute(in("gripper"));
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, gripped.error_code);
+  EXPECT_NE(std::string::npos, gripped.message.find("'gripper' hangs at 'tcp_1', which moves with the machine"))
+      << gripped.message;
+}
+
+/// Where requests wait behind the misspelt one, no more than two are answered: the last before it, and the next.
+TEST_F(Frame, misspeltKeepsNobodyWaiting)
+{
+  const int verdicts = answersMeanwhile<EvaluatePoint>(
+      "evaluate_point", {}, [](EvaluatePoint::Request& request) -> std::string& { return request.header.frame_id; });
+  EXPECT_GE(verdicts, 10);
+  const int regions = answersMeanwhile<ComputeLargestRegion>(
+      "compute_largest_region", {},
+      [](ComputeLargestRegion::Request& request) -> std::string& { return request.query.header.frame_id; });
+  EXPECT_GE(regions, 10);
 }
 }  // namespace test
 }  // namespace pkm_workspace

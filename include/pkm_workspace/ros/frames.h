@@ -6,10 +6,10 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <Eigen/Geometry>
-#include <map>
 #include <memory>
-#include <mutex>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/machine/machine.h"
 
@@ -30,18 +30,21 @@ struct FramedMachine
 /// The name of a frame as tf2 knows it: without leading slashes.
 std::string bare(const std::string& name);
 
-/// The frames that a request may be made in: all that tf knows. Thread-safe.
+/// The frames that a request may be made in: all that tf knows, but for those that the machine itself moves.
+/// Thread-safe.
 class Frames
 {
 public:
-  /// @param machine in the frame of its root link @param root the name of that frame in tf
-  Frames(const Machine& machine, const std::string& root);
+  /// @param machine in the frame of its root link @param root the name of that frame in tf @param moved the names of
+  /// the frames that the machine moves
+  Frames(const Machine& machine, const std::string& root, const std::vector<std::string>& moved);
 
   /// The machine in the frame of its root link.
   const FramedMachine& root() const { return root_; }
-  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known; once in ten
-  /// for one name.
-  /// @param name empty: the root's @throws Refusal that names the frames there are
+  /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known: a worker
+  /// serves others meanwhile, of whom none may wait. So what a worker's callbacks share is looked at after this call.
+  /// @param name empty: the root's @throws Refusal that names the frames there are, also for those that the machine
+  /// moves
   FramedMachine machineIn(const std::string& name) const;
 
   /// A point of a frame in the frame of the root link [m], by floating point. Does not wait.
@@ -49,13 +52,16 @@ public:
   Eigen::Vector3d pointInRoot(const std::string& name, const Eigen::Vector3d& point) const;
 
 private:
-  /// Not again soon for the same name: who asks for what does not exist keeps nobody else waiting.
-  bool mayWait(const std::string& frame) const;
   geometry_msgs::Pose rootIn(const std::string& frame, bool patiently) const;
+  /// The frame that the machine moves and this one hangs at, or is; empty where there is none.
+  std::string moverOf(const std::string& frame) const;
+  /// @throws Refusal for a frame that the machine moves
+  void requireStill(const std::string& frame) const;
+  /// All that a request may name, in order.
+  std::string known() const;
 
   FramedMachine root_;
-  mutable std::mutex mutex_;
-  mutable std::map<std::string, ros::WallTime> waited_;  ///< since when, for names that were not known
+  std::set<std::string> moved_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
 };

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <ros/callback_queue.h>
-#include <ros/spinner.h>
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace pkm_workspace
@@ -16,11 +16,14 @@ namespace pkm_workspace
 using StopFlag = std::shared_ptr<std::atomic<bool>>;
 
 /// One thread that does computations in the order in which they come: callbacks of its queue, and jobs of its owner.
-/// Whatever answers at once belongs on another queue, and never waits for this one.
+/// Whatever answers at once belongs on another queue, and never waits for this one. A callback that has to wait for
+/// something else steps aside meanwhile.
 class Worker
 {
 public:
-  Worker() : spinner_(1, &queue_) {}
+  Worker() = default;
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
   ~Worker() { stop(); }
 
   /// For services whose callbacks compute.
@@ -28,17 +31,26 @@ public:
   /// A flag for one computation; stop() sets it. Thread-safe.
   StopFlag makeStopFlag();
 
-  void start() { spinner_.start(); }
+  void start();
   /// Adds a job; an exception that leaves it is logged. Thread-safe.
   void post(const std::function<void()>& job);
   /// Ends the computation that is running, forgets the ones that wait, and joins the thread.
   void stop();
 
+  /// Waits while a deputy serves the queue of the worker whose callback this is: one thread computes at a time, before
+  /// and after. On a thread that is no worker's it just waits.
+  /// @param wait returns soon, and does not throw
+  /// @return false, without having waited, where another callback of that worker stands aside already
+  static bool stepAside(const std::function<void()>& wait);
+
 private:
+  void serve(const std::atomic<bool>& ends);
+
   ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_;
+  std::thread thread_;
+  std::atomic<bool> stopped_{ false };
+  bool is_aside_ = false;  ///< belongs to the thread that computes
   std::mutex mutex_;
-  bool stopped_ = false;
   std::vector<std::weak_ptr<std::atomic<bool>>> flags_;
 };
 }  // namespace pkm_workspace

@@ -57,6 +57,7 @@ struct UrdfMachine
   std::array<StrutHinges, 3> hinges;        ///< for jointValues()
   std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
   std::vector<std::string> warnings;        ///< what is in the URDF and not used
+  std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
 };
 
 /// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Every number of
