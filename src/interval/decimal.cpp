@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "subnormal.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -16,7 +18,7 @@ namespace
 constexpr int SIGNIFICANT_DIGITS = 9;
 
 /// @param format of MPFR, for the number of digits, the direction and the value
-std::string rounded(const char* format, double value, int digits, mpfr_rnd_t direction)
+std::string written(const char* format, double value, int digits, mpfr_rnd_t direction)
 {
   mpfr_t number;
   mpfr_init2(number, 53);
@@ -27,6 +29,11 @@ std::string rounded(const char* format, double value, int digits, mpfr_rnd_t dir
   mpfr_free_str(buffer);
   mpfr_clear(number);
   return text;
+}
+
+std::string rounded(const char* format, double value, int digits, mpfr_rnd_t direction)
+{
+  return subnormal::keeping([&] { return written(format, value, digits, direction); });
 }
 
 std::string significant(double value, int digits)

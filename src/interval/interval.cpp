@@ -10,12 +10,15 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "subnormal.h"
+
 namespace pkm_workspace
 {
 namespace
 {
 constexpr double INF = std::numeric_limits<double>::infinity();
 
+using subnormal::keeping;
 using MpfrFunction = int (*)(mpfr_t, const mpfr_t, mpfr_rnd_t);
 
 double evaluate(MpfrFunction function, double argument, mpfr_rnd_t direction)
@@ -31,7 +34,8 @@ double evaluate(MpfrFunction function, double argument, mpfr_rnd_t direction)
 
 Interval enclose(MpfrFunction function, double argument)
 {
-  return Interval(evaluate(function, argument, MPFR_RNDD), evaluate(function, argument, MPFR_RNDU));
+  return keeping(
+      [&] { return Interval(evaluate(function, argument, MPFR_RNDD), evaluate(function, argument, MPFR_RNDU)); });
 }
 
 [[noreturn]] void throwDomainError(const char* operation, const Interval& operand, const char* reason)
@@ -71,7 +75,7 @@ bool Interval::isBounded() const
 
 double Interval::mid() const
 {
-  return std::min(std::max(lower_ / 2 + upper_ / 2, lower_), upper_);
+  return keeping([this] { return std::min(std::max(lower_ / 2 + upper_ / 2, lower_), upper_); });
 }
 
 double Interval::width() const
@@ -83,33 +87,35 @@ double Interval::radius() const
 {
   if (!isBounded())
     return isEmpty() ? 0.0 : INF;
-  const double middle = mid();
-  return std::max(rounding::add(upper_, -middle).upper, rounding::add(middle, -lower_).upper);
+  return keeping([this] {
+    const double middle = mid();
+    return std::max(rounding::add(upper_, -middle).upper, rounding::add(middle, -lower_).upper);
+  });
 }
 
 double Interval::magnitude() const
 {
-  return std::max(std::abs(lower_), std::abs(upper_));
+  return keeping([this] { return std::max(std::abs(lower_), std::abs(upper_)); });
 }
 
 double Interval::mignitude() const
 {
-  return contains(0.0) ? 0.0 : std::min(std::abs(lower_), std::abs(upper_));
+  return keeping([this] { return contains(0.0) ? 0.0 : std::min(std::abs(lower_), std::abs(upper_)); });
 }
 
 bool Interval::isSubsetOf(const Interval& other) const
 {
-  return isEmpty() || (other.lower_ <= lower_ && upper_ <= other.upper_);
+  return keeping([&] { return isEmpty() || (other.lower_ <= lower_ && upper_ <= other.upper_); });
 }
 
 bool Interval::intersects(const Interval& other) const
 {
-  return !isEmpty() && !other.isEmpty() && lower_ <= other.upper_ && other.lower_ <= upper_;
+  return keeping([&] { return !isEmpty() && !other.isEmpty() && lower_ <= other.upper_ && other.lower_ <= upper_; });
 }
 
 bool operator==(const Interval& a, const Interval& b)
 {
-  return (a.isEmpty() && b.isEmpty()) || (a.lower_ == b.lower_ && a.upper_ == b.upper_);
+  return keeping([&] { return (a.isEmpty() && b.isEmpty()) || (a.lower_ == b.lower_ && a.upper_ == b.upper_); });
 }
 
 Interval operator-(const Interval& x)
@@ -146,21 +152,16 @@ Interval timesBoth(const Interval& x, const Interval& y)
       std::min(rounding::multiply(x.lower(), y.upper()).lower, rounding::multiply(x.upper(), y.lower()).lower),
       std::max(rounding::multiply(x.lower(), y.lower()).upper, rounding::multiply(x.upper(), y.upper()).upper));
 }
-}  // namespace
 
-Interval operator*(const Interval& x, const Interval& y)
+Interval product(const Interval& x, const Interval& y)
 {
-  if (x.isEmpty() || y.isEmpty())
-    return Interval::empty();
   if (y.lower() < 0.0 && y.upper() > 0.0)
     return x.lower() >= 0.0 ? timesNotNegative(y, x) : x.upper() <= 0.0 ? timesNotNegative(-y, -x) : timesBoth(x, y);
   return y.lower() >= 0.0 ? timesNotNegative(x, y) : timesNotNegative(-x, -y);
 }
 
-Interval operator/(const Interval& x, const Interval& y)
+Interval quotient(const Interval& x, const Interval& y)
 {
-  if (x.isEmpty() || y.isEmpty())
-    return Interval::empty();
   if (y.contains(0.0))
     throwDomainError("division by ", y, ", which contains 0");
   double lower = INF;
@@ -170,29 +171,46 @@ Interval operator/(const Interval& x, const Interval& y)
     {
       if (std::isinf(numerator) && std::isinf(denominator))
         continue;  // the limits with one finite end already reach from 0 to infinity
-      const rounding::Bounds quotient = rounding::divide(numerator, denominator);
-      lower = std::min(lower, quotient.lower);
-      upper = std::max(upper, quotient.upper);
+      const rounding::Bounds bounds = rounding::divide(numerator, denominator);
+      lower = std::min(lower, bounds.lower);
+      upper = std::max(upper, bounds.upper);
     }
   return Interval(lower, upper);
 }
 
-Interval sqr(const Interval& x)
+Interval square(const Interval& x)
 {
-  if (x.isEmpty())
-    return x;
   const double small = x.mignitude();
   const double large = x.magnitude();
   return Interval(std::max(0.0, rounding::multiply(small, small).lower), rounding::multiply(large, large).upper);
 }
 
-Interval sqrt(const Interval& x)
+Interval squareRoot(const Interval& x)
 {
-  if (x.isEmpty())
-    return x;
   if (x.lower() < 0.0)
     throwDomainError("square root of ", x, ", which reaches below 0");
   return Interval(rounding::squareRoot(x.lower()).lower, rounding::squareRoot(x.upper()).upper);
+}
+}  // namespace
+
+Interval operator*(const Interval& x, const Interval& y)
+{
+  return x.isEmpty() || y.isEmpty() ? Interval::empty() : keeping([&] { return product(x, y); });
+}
+
+Interval operator/(const Interval& x, const Interval& y)
+{
+  return x.isEmpty() || y.isEmpty() ? Interval::empty() : keeping([&] { return quotient(x, y); });
+}
+
+Interval sqr(const Interval& x)
+{
+  return x.isEmpty() ? x : keeping([&] { return square(x); });
+}
+
+Interval sqrt(const Interval& x)
+{
+  return x.isEmpty() ? x : keeping([&] { return squareRoot(x); });
 }
 
 Interval abs(const Interval& x)
@@ -219,14 +237,14 @@ Interval hull(const Interval& x, const Interval& y)
 {
   if (x.isEmpty() || y.isEmpty())
     return x.isEmpty() ? y : x;
-  return Interval(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper()));
+  return keeping([&] { return Interval(std::min(x.lower(), y.lower()), std::max(x.upper(), y.upper())); });
 }
 
 Interval intersection(const Interval& x, const Interval& y)
 {
   if (!x.intersects(y))
     return Interval::empty();
-  return Interval(std::max(x.lower(), y.lower()), std::min(x.upper(), y.upper()));
+  return keeping([&] { return Interval(std::max(x.lower(), y.lower()), std::min(x.upper(), y.upper())); });
 }
 
 std::ostream& operator<<(std::ostream& stream, const Interval& x)

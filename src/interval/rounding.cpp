@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "subnormal.h"
+
 namespace pkm_workspace
 {
 namespace rounding
@@ -15,7 +17,21 @@ constexpr double MAX = std::numeric_limits<double>::max();
 constexpr double INF = std::numeric_limits<double>::infinity();
 
 /// Below this magnitude an error term may underflow: its sign is then taken from operands scaled by powers of two.
+/// Where operands and result are above, nothing is subnormal on the way.
 constexpr double SMALL = 0x1p-900;
+
+bool isOrdinary(double x)
+{
+  return std::abs(x) >= SMALL && std::abs(x) <= MAX;
+}
+
+/// Subnormal numbers are not zero here, however this thread reads them.
+bool isZero(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits << 1 == 0;
+}
 
 /// The rounded result and its neighbour on the side of the exact one. Signs of errors are as good as random: doubles of
 /// one sign are in the order of their bits, so that no branch is needed.
@@ -63,9 +79,8 @@ Bounds overflowed(double rounded)
 {
   return rounded > 0.0 ? Bounds{ MAX, INF } : Bounds{ -INF, -MAX };
 }
-}  // namespace
 
-Bounds add(double a, double b)
+Bounds addAny(double a, double b)
 {
   const double sum = a + b;
   if (std::isinf(a) || std::isinf(b))
@@ -79,10 +94,8 @@ Bounds add(double a, double b)
   return around(sum, smaller - kept);
 }
 
-Bounds multiply(double a, double b)
+Bounds multiplyAny(double a, double b)
 {
-  if (a == 0.0 || b == 0.0)
-    return { 0.0, 0.0 };
   const double product = a * b;
   if (std::isinf(a) || std::isinf(b))
     return { product, product };
@@ -92,10 +105,8 @@ Bounds multiply(double a, double b)
   return around(product, is_tiny ? tinyProductError(a, b, product) : std::fma(a, b, -product));
 }
 
-Bounds divide(double a, double b)
+Bounds divideAny(double a, double b)
 {
-  if (a == 0.0)
-    return { 0.0, 0.0 };
   const double quotient = a / b;
   if (std::isinf(a) || std::isinf(b))
     return { quotient, quotient };
@@ -106,9 +117,9 @@ Bounds divide(double a, double b)
   return around(quotient, b > 0.0 ? remainder : -remainder);
 }
 
-Bounds squareRoot(double a)
+Bounds squareRootAny(double a)
 {
-  if (a == 0.0 || std::isinf(a))
+  if (std::isinf(a))
     return { a, a };
   const double root = std::sqrt(a);
   const int scale = a < SMALL ? 500 : 0;
@@ -116,7 +127,8 @@ Bounds squareRoot(double a)
   return around(root, std::fma(-scaled_root, scaled_root, std::scalbn(a, 2 * scale)));
 }
 
-std::string selfTest()
+/// By arithmetic as it is within keeping().
+std::string defect()
 {
   volatile double tiny = std::numeric_limits<double>::min();
   tiny = tiny / 2;
@@ -127,6 +139,46 @@ std::string selfTest()
   if (!(bounds.lower < bounds.upper) || bounds.upper > std::nextafter(bounds.lower, INF))
     return "the enclosure of (1/3)^2 is not two neighbouring doubles";
   return "";
+}
+}  // namespace
+
+Bounds add(double a, double b)
+{
+  if ((isOrdinary(a) || isZero(a)) && (isOrdinary(b) || isZero(b)))
+    return addAny(a, b);
+  return subnormal::keeping([&] { return addAny(a, b); });
+}
+
+Bounds multiply(double a, double b)
+{
+  if (isZero(a) || isZero(b))
+    return { 0.0, 0.0 };
+  if (isOrdinary(a * b))
+    return multiplyAny(a, b);
+  return subnormal::keeping([&] { return multiplyAny(a, b); });
+}
+
+Bounds divide(double a, double b)
+{
+  if (isZero(a))
+    return { 0.0, 0.0 };
+  if (isOrdinary(a) && isOrdinary(b) && isOrdinary(a / b))
+    return divideAny(a, b);
+  return subnormal::keeping([&] { return divideAny(a, b); });
+}
+
+Bounds squareRoot(double a)
+{
+  if (isZero(a))
+    return { a, a };
+  if (isOrdinary(a))
+    return squareRootAny(a);
+  return subnormal::keeping([&] { return squareRootAny(a); });
+}
+
+std::string selfTest()
+{
+  return subnormal::keeping(defect);
 }
 }  // namespace rounding
 }  // namespace pkm_workspace

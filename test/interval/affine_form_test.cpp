@@ -96,7 +96,7 @@ TEST_P(AffineFormContainment, inverseHoldsThoseOfAllMembersOfPositiveForms)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AffineFormContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
+INSTANTIATE_TEST_SUITE_P(All, AffineFormContainment, testing::ValuesIn(MODES), nameOfMode);
 
 constexpr double ULP = std::numeric_limits<double>::epsilon();
 

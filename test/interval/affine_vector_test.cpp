@@ -203,7 +203,7 @@ TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AffineVectorContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
+INSTANTIATE_TEST_SUITE_P(All, AffineVectorContainment, testing::ValuesIn(MODES), nameOfMode);
 
 constexpr double ULP = std::numeric_limits<double>::epsilon();
 

@@ -86,7 +86,7 @@ TEST_P(BoxContainment, volumeHoldsTheExactProduct)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BoxContainment, everyModeAndSpread(), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, BoxContainment, everyRoundingModeAndSpread(), nameOf);
 
 TEST(Box, bisectsUntilItsFacesAreNeighbouringDoubles)
 {

@@ -131,7 +131,7 @@ TEST_P(CurveContainment, pointsAreEnclosedTightly)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CurveContainment, testing::ValuesIn(ROUNDING_MODES),
+INSTANTIATE_TEST_SUITE_P(All, CurveContainment, testing::ValuesIn(MODES),
                          [](const auto& info) { return std::string(info.param.name); });
 
 // The box is thicker than the line by the second order of the angle only.

@@ -129,7 +129,7 @@ TEST_P(DefinitenessContainment, multipleHoldsThatOfEveryMember)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DefinitenessContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
+INSTANTIATE_TEST_SUITE_P(All, DefinitenessContainment, testing::ValuesIn(MODES), nameOfMode);
 
 Matrix diagonal(double a, double b, double c)
 {

@@ -88,7 +88,7 @@ TEST_P(EnclosedContainment, determinantAtTheCenterHoldsThoseOfAllMembersThere)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EnclosedContainment, testing::ValuesIn(ROUNDING_MODES), nameOfMode);
+INSTANTIATE_TEST_SUITE_P(All, EnclosedContainment, testing::ValuesIn(MODES), nameOfMode);
 
 constexpr double ULP = std::numeric_limits<double>::epsilon();
 

@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(All, IntervalContainment, everyModeAndSpread(), nameOf)
 TEST(IntervalContainment, doesNotDependOnOtherThreadsAndTheirModes)
 {
   std::vector<std::thread> threads;
-  for (const auto& mode : ROUNDING_MODES)
+  for (const auto& mode : MODES)
     threads.emplace_back([&mode] {
       for (int seed = 0; seed < cases(); ++seed)
         for (const auto& spread : SPREADS)
@@ -123,7 +123,7 @@ TEST(IntervalContainment, doesNotDependOnOtherThreadsAndTheirModes)
 TEST(IntervalContainment, sineAndCosineHoldTheExactValueBetweenNeighbours)
 {
   for (int seed = 0; seed < cases(); ++seed)
-    for (const auto& mode : ROUNDING_MODES)
+    for (const auto& mode : MODES)
     {
       Random random(static_cast<std::uint64_t>(seed));
       const double angle = random.sign() * std::ldexp(random.uniform(1.0, 2.0), random.integer(-60, 20));

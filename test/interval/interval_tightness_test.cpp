@@ -99,8 +99,8 @@ TEST_P(IntervalInclusion, partsGivePartsOfTheResult)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, IntervalTightness, everyModeAndSpread(), nameOf);
-INSTANTIATE_TEST_SUITE_P(All, IntervalInclusion, everyModeAndSpread(), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, IntervalTightness, everyRoundingModeAndSpread(), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, IntervalInclusion, everyRoundingModeAndSpread(), nameOf);
 
 TEST(IntervalWidth, ofExactResultsIsZero)
 {

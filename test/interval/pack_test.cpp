@@ -131,7 +131,7 @@ TEST_P(PackLanes, absoluteValuesAreThoseOfDouble)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PackLanes, everyModeAndSpread(), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, PackLanes, everyRoundingModeAndSpread(), nameOf);
 
 TEST(PackMasks, combineLaneForLane)
 {

@@ -134,7 +134,7 @@ TEST_P(PencilBoundsContainment, boundsHoldTheEigenvaluesOfEveryMember)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PencilBoundsContainment, testing::ValuesIn(ROUNDING_MODES),
+INSTANTIATE_TEST_SUITE_P(All, PencilBoundsContainment, testing::ValuesIn(MODES),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(PencilBounds, areTightForNumbers)

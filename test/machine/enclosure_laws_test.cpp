@@ -47,7 +47,7 @@ TEST_P(MachineLaws, enclosuresOfTheGeometryHoldTheExactNumbers)
 TEST_P(MachineLaws, configurationHoldsTheExactOneInEveryRoundingMode)
 {
   forEachRegularPoint([this](const Vector3d& p, const ExactConfiguration& there, Random&) {
-    for (const auto& mode : ROUNDING_MODES)
+    for (const auto& mode : MODES)
     {
       const auto got = under<std::optional<Configuration>>(mode, [&] { return configurationAt(machine(), p); });
       ASSERT_TRUE(got) << mode;

@@ -7,6 +7,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/rounding_mode.h"
 
 namespace pkm_workspace
 {
@@ -255,5 +256,20 @@ TEST(LargestRegion, multiPrecisionGoesOnWhereDoublesEnd)
   EXPECT_GE(multiple.size_upper_bound, CUBE_EDGE.lower());
   EXPECT_GE(multiple.size, doubles.size);
   EXPECT_LE(multiple.size_upper_bound, doubles.size_upper_bound);
+}
+
+// Also where another library has set the thread to flush subnormal numbers to zero.
+TEST(LargestRegion, isProvedOnThreadsOfEveryMode)
+{
+  const RegionQuery wanted = query(makeCube(), 1e-3);
+  for (const test::RoundingMode& mode : test::MODES)
+  {
+    SCOPED_TRACE(mode.name);
+    const LargestRegion region =
+        test::under<LargestRegion>(mode, [&] { return findLargestRegion(orthoglide(), wanted); });
+    expectProven(region, wanted);
+    EXPECT_LE(region.size, CUBE_EDGE.upper());
+    EXPECT_GE(region.size_upper_bound, CUBE_EDGE.lower());
+  }
 }
 }  // namespace pkm_workspace

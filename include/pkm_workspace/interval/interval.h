@@ -9,9 +9,9 @@ namespace pkm_workspace
 {
 /// A closed set of reals [lower, upper], possibly unbounded, or the empty set.
 ///
-/// Guaranteed: every operation encloses the exact results for all members of its operands, in any rounding mode and on
-/// any thread. For operations on single numbers the enclosure is the tightest that doubles allow: exact results have
-/// zero width. The empty set is reached only through empty() and intersection().
+/// Guaranteed: every operation encloses the exact results for all members of its operands, in any rounding mode, and on
+/// threads that flush subnormal numbers to zero (contains() and its like read them as zero there). For single numbers
+/// the enclosure is the tightest that doubles allow. The empty set is reached only through empty() and intersection().
 class Interval
 {
 public:

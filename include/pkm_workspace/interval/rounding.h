@@ -25,7 +25,7 @@ struct Bounds
   double upper;
 };
 
-/// Enclosures of one exact operation by neighbouring doubles: as tight as doubles allow, whatever the rounding mode.
+/// Enclosures of one exact operation by neighbouring doubles: as tight as doubles allow, on any thread in any mode.
 /// Each takes the sign of the rounding error from an error-free transformation (Dekker 1971; Boldo, Graillat, Muller
 /// 2017 for modes other than to nearest). Infinite operands follow IEEE 1788: 0 * infinity is 0.
 Bounds add(double a, double b);
@@ -54,14 +54,14 @@ inline Real roundoff()
   return Real(SOUND ? std::numeric_limits<typename ScalarOf<Real>::Type>::epsilon() : 0);
 }
 
-/// @return a bound on the sum of all underflow errors of one affine operation; far below any length in use [m].
+/// @return a bound on the underflow of one affine operation, also where it is flushed to zero; far below a length [m].
 template <class Real>
 inline Real underflow()
 {
   return SOUND ? Real(1e-290) : Real(0);
 }
 
-/// Looks whether this thread's arithmetic is the one the proofs assume: no flush to zero, sound enclosures.
+/// Looks whether this thread's arithmetic is the one the proofs assume: sound enclosures, nothing lost to zero in them.
 /// @return an empty string, or one sentence that says what is wrong.
 std::string selfTest();
 }  // namespace rounding
