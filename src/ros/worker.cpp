@@ -16,6 +16,9 @@ constexpr double NAP = 0.02;  // [s] between two looks for the end
 /// Whose callbacks this thread calls.
 thread_local Worker* served = nullptr;
 
+/// Whether a thread waits that is no worker's.
+std::atomic<bool> one_waits{ false };
+
 class Job : public ros::CallbackInterface
 {
 public:
@@ -59,7 +62,13 @@ bool Worker::stepAside(const std::function<void()>& wait)
 {
   Worker* const worker = served;
   if (!worker)
-    return wait(), true;
+  {
+    if (one_waits.exchange(true))
+      return false;
+    wait();
+    one_waits = false;
+    return true;
+  }
   if (worker->is_aside_)
     return false;
   worker->is_aside_ = true;

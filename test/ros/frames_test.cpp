@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/CheckRegion.h>
 #include <pkm_workspace/ComputeWorkspace.h>
 #include <pkm_workspace/EvaluatePoint.h>
+#include <shape_msgs/SolidPrimitive.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <Eigen/Geometry>
@@ -189,6 +191,12 @@ TEST_F(Frame, misspeltKeepsNobodyWaiting)
   const int verdicts = answersMeanwhile<EvaluatePoint>(
       "evaluate_point", {}, [](EvaluatePoint::Request& request) -> std::string& { return request.header.frame_id; });
   EXPECT_GE(verdicts, 10);
+  CheckRegion::Request small;
+  small.solid.type = shape_msgs::SolidPrimitive::BOX;
+  small.solid.dimensions = { 0.1, 0.1, 0.1 };
+  const int checks = answersMeanwhile<CheckRegion>(
+      "check_region", small, [](CheckRegion::Request& request) -> std::string& { return request.header.frame_id; });
+  EXPECT_GE(checks, 10);
   const int regions = answersMeanwhile<ComputeLargestRegion>(
       "compute_largest_region", {},
       [](ComputeLargestRegion::Request& request) -> std::string& { return request.query.header.frame_id; });

@@ -38,9 +38,9 @@ public:
   void stop();
 
   /// Waits while a deputy serves the queue of the worker whose callback this is: one thread computes at a time, before
-  /// and after. On a thread that is no worker's it just waits.
+  /// and after. A thread that is no worker's just waits, one of all those at a time: a crew goes on with the others.
   /// @param wait returns soon, and does not throw
-  /// @return false, without having waited, where another callback of that worker stands aside already
+  /// @return false, without having waited, where somebody else has that place
   static bool stepAside(const std::function<void()>& wait);
 
 private:
