@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -38,13 +40,21 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   return json;
 }
 
+/// A bound, or both ends of its enclosure where the digits that are printed tell them apart.
+std::string cell(const Interval& value, const std::string& bound, int decimals)
+{
+  const bool known = value.width() <= std::pow(10.0, -decimals);
+  return known ? bound : roundedDown(value.lower(), decimals) + " to " + roundedUp(value.upper(), decimals);
+}
+
 std::string table(const Machine& machine, const std::array<JointRange, 3>& ranges, int decimals)
 {
+  const auto least = [decimals](const Interval& x) { return cell(x, roundedDown(x.lower(), decimals), decimals); };
+  const auto most = [decimals](const Interval& x) { return cell(x, roundedUp(x.upper(), decimals), decimals); };
   std::vector<Words> rows = { { "joint", "lower [m]", "upper [m]", "stroke [m]", "across [m]" } };
   for (std::size_t i = 0; i < 3; ++i)
-    rows.push_back({ machine.leg(static_cast<int>(i)).joint, roundedDown(ranges[i].lower.lower(), decimals),
-                     roundedUp(ranges[i].upper.upper(), decimals), roundedUp(ranges[i].stroke.upper(), decimals),
-                     roundedUp(ranges[i].across.upper(), decimals) });
+    rows.push_back({ machine.leg(static_cast<int>(i)).joint, least(ranges[i].lower), most(ranges[i].upper),
+                     most(ranges[i].stroke), most(ranges[i].across) });
   return aligned(rows, Align::RIGHT);
 }
 

@@ -96,7 +96,12 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
                      { "lower", ranges[i].lower.lower() },
                      { "upper", ranges[i].upper.upper() },
                      { "stroke", ranges[i].stroke.upper() },
-                     { "across", ranges[i].across.upper() } });
+                     { "across", ranges[i].across.upper() },
+                     { "enclosures",
+                       { { "lower", toJson(ranges[i].lower) },
+                         { "upper", toJson(ranges[i].upper) },
+                         { "stroke", toJson(ranges[i].stroke) },
+                         { "across", toJson(ranges[i].across) } } } });
   return json;
 }
 

@@ -33,7 +33,7 @@ Json finite(double value);
 /// true for INSIDE, false for OUTSIDE, null for UNDECIDED.
 Json toJson(BoxVerdict verdict);
 
-/// One object for each joint: joint, lower, upper, stroke, across.
+/// One object for each joint: joint; lower, upper, stroke, across as bounds from outside; enclosures of each.
 Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges);
 
 /// Whether its volume is more than 0.

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <stdexcept>
 
-#include "pkm_workspace/interval/affine_vector.h"
-#include "pkm_workspace/interval/half_space.h"
+#include "circle_maximum.h"
 
 namespace pkm_workspace
 {
@@ -16,85 +14,13 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Steps of the projected gradient method; it converges geometrically, and a proof does not rest on it.
-constexpr int STEPS = 400;
-constexpr double SMALLEST_MOVE = 1e-14;  ///< relative to the size
+constexpr double INF = std::numeric_limits<double>::infinity();
 
-/// Where the search for the largest value over a round region ends: parts, and a gap relative to the size.
-constexpr int PARTS = 20000;
-constexpr double GAP = 1e-9;
-
-/// f = weight . (p - c) - height, where height = sqrt(L^2 - |q|^2) is a concave function of p (a sphere around the
-/// rail); weight is s e for the joint value times s, and 0 for the height alone. So f is convex: least somewhere
-/// within, largest at a vertex.
-class ConvexFunction
-{
-public:
-  ConvexFunction(const Machine& machine, int leg, const IntervalVector& weight)
-    : center_(machine.center(leg))
-    , projector_(machine.projector(leg))
-    , length_(machine.leg(leg).length)
-    , weight_(weight)
-    , middle_center_(mid(center_))
-    , middle_weight_(mid(weight))
-    , middle_squared_length_(length_.mid() * length_.mid())
-  {
-    for (int row = 0; row < 3; ++row)
-      middle_projector_.row(row) = mid(projector_[static_cast<std::size_t>(row)]);
-  }
-
-  struct Value
-  {
-    Interval value;
-    IntervalVector gradient;
-  };
-
-  /// @throws std::domain_error where the strut does not surely reach
-  Value at(const IntervalVector& p) const
-  {
-    const IntervalVector offset = p - center_;
-    const IntervalVector across = projector_ * offset;
-    const Interval radicand = sqr(length_) - squaredNorm(across);
-    if (!(radicand.lower() > 0.0))
-      throw std::domain_error("joint ranges: a strut does not reach, or just reaches, part of the region");
-    const Interval height = sqrt(radicand);
-    return { dot(weight_, offset) - height, weight_ + (Interval(1.0) / height) * across };
-  }
-
-  /// Encloses the value over a box, wherever the strut reaches.
-  AffineForm<double> over(const CenteredBox<double>& box) const
-  {
-    AffineVector<double> across, along;
-    mapBox(EnclosedMatrix<double>(projector_), EnclosedVector<double>(center_), box, across);
-    mapBox(EnclosedMatrix<double>({ weight_, IntervalVector{}, IntervalVector{} }), EnclosedVector<double>(center_),
-           box, along);
-    const AffineForm<double> radicand = -squaredNorm(across) + Enclosed<double>(sqr(length_));
-    return component(along, 0) - sqrtAbove(radicand, 0.0);
-  }
-
-  /// In floating point.
-  Vector3d gradientAt(const Vector3d& p) const
-  {
-    const Vector3d across = middle_projector_ * (p - middle_center_);
-    return middle_weight_ + across / std::sqrt(middle_squared_length_ - across.squaredNorm());
-  }
-
-  /// A bound, for step lengths, on the second derivatives where the value is at least the one given: L^2 / height^3.
-  double curvature(double least_height) const
-  {
-    return length_.upper() * length_.upper() / (least_height * least_height * least_height);
-  }
-
-private:
-  IntervalVector center_;
-  IntervalMatrix projector_;
-  Interval length_;
-  IntervalVector weight_;
-  Vector3d middle_center_;
-  Vector3d middle_weight_;
-  double middle_squared_length_;
-  Eigen::Matrix3d middle_projector_;
-};
+/// Most steps of Newton's method, and of halving: both end much sooner, or where doubles end.
+constexpr int STEPS = 100;
+/// Where the search for the largest value over a circle ends: relative to the size, and to the strut.
+constexpr double GAP = 1e-12;
+constexpr double ROUNDING = 1e-14;
 
 /// The region that is looked at.
 struct Region
@@ -104,123 +30,200 @@ struct Region
   double size;
 
   IntervalVector vertex(const Vector3d& k) const { return enclose(center) + Interval(size) * enclose(k); }
+  Vector3d nearest(const Vector3d& point) const { return shape.nearest(point, center, size); }
+  /// Encloses a point of the region: given by its place in K, which rounds less than a point far from the origin.
+  IntervalVector pointNear(const Vector3d& point) const
+  {
+    const Vector3d origin = Vector3d::Zero();
+    return vertex(nearestInside(shape, (point - center) / size, origin, 1.0).value_or(origin));
+  }
+  /// Encloses the least n . (p - c) over the region.
+  Interval leastAlong(const IntervalVector& n, const IntervalVector& c) const
+  {
+    return dot(n, enclose(center) - c) - Interval(size) * shape.support({ -n[0], -n[1], -n[2] });
+  }
 };
 
-/// Encloses the largest value over a polytope: a convex function takes it at a vertex.
-Interval maximumAtVertices(const ConvexFunction& f, const Region& region)
+/// The convex functions that a strut gives.
+enum class Function
 {
-  Interval largest = f.at(enclose(region.center)).value;
-  for (const Vector3d& k : region.shape.extremePoints())
-  {
-    const Interval value = f.at(region.vertex(k)).value;
-    largest = Interval(std::max(largest.lower(), value.lower()), std::max(largest.upper(), value.upper()));
-  }
-  return largest;
-}
+  SIGNED_JOINT,    ///< s rho
+  NEGATIVE_HEIGHT  ///< -|eta|
+};
 
-/// Encloses the largest value over any region, by bisection of its bounding box, highest upper bound first.
-class Maximum
+/// One strut. With w = s e, s rho = w . (p - c) - height, where height = |eta| = sqrt(L^2 - |q|^2) is a concave
+/// function of p (a sphere swept along the rail): s rho and -height are convex.
+class Strut
 {
 public:
-  Maximum(const ConvexFunction& f, const Region& region)
-    : f_(f), region_(region), least_(f.at(enclose(region.center)).value.lower())
+  Strut(const Machine& machine, int leg)
+    : center_(machine.center(leg))
+    , projector_(machine.projector(leg))
+    , weight_(Interval(machine.leg(leg).working_mode) * machine.leg(leg).axis)
+    , length_(machine.leg(leg).length)
   {}
 
-  Interval run()
+  const Interval& length() const { return length_; }
+  Interval height(const IntervalVector& p) const { return rootOf(sqr(length_) - squaredNorm(across(p))); }
+  Interval signedJoint(const IntervalVector& p) const { return dot(weight_, p - center_) - height(p); }
+
+  /// Encloses the largest value over a circle. With the entries of P = I - e e^T, at the angle t
+  /// |q|^2 = |q_0|^2 + 2 r (q_x cos t + q_y sin t) + r^2 (P_xx cos^2 t + 2 P_xy cos t sin t + P_yy sin^2 t).
+  Interval largest(Function function, const Circle& circle, double gap) const
   {
-    for (const Box& box : region_.shape.extremeBoxes(region_.center, region_.size))
-      look(box);
-    const double enough = GAP * region_.size;
-    for (int part = 0; part < PARTS && !open_.empty() && open_.top().bound > least_ + enough; ++part)
+    const Interval& r = circle.radius;
+    const IntervalVector offset = circle.center - center_;
+    const IntervalVector q = projector_ * offset;
+    const Interval half = Interval(0.5) * sqr(r);
+    Trigonometric linear;
+    if (function == Function::SIGNED_JOINT)
+      linear = { dot(weight_, offset), r * weight_[0], r * weight_[1], 0.0, 0.0 };
+    const Trigonometric radicand = { sqr(length_) - squaredNorm(q) - half * (projector_[0][0] + projector_[1][1]),
+                                     Interval(-2.0) * r * q[0], Interval(-2.0) * r * q[1],
+                                     half * (projector_[1][1] - projector_[0][0]), -sqr(r) * projector_[0][1] };
+    return largestOnCircle(linear, radicand, gap);
+  }
+
+  /// Encloses the least height over a ball: that at its point farthest from the rail.
+  Interval leastHeight(const IntervalVector& center, const Interval& radius) const
+  {
+    return heightAt(length_, norm(across(center)) + radius);
+  }
+  /// Encloses the largest s rho over a ball: {s rho <= t} is a ball of radius L swept along a ray, and a smaller ball
+  /// lies in it exactly when its center lies in one of radius L - r swept along that ray.
+  Interval largestJoint(const IntervalVector& center, const Interval& radius) const
+  {
+    return dot(weight_, center - center_) - heightAt(length_ - radius, norm(across(center)));
+  }
+
+  /// Encloses the least s rho: the least t at which the region comes within the strut's length of c + t w. That
+  /// distance is a convex function of t, whose value and slope the nearest point gives: Newton's method goes up to t.
+  Interval leastJoint(const Region& region) const
+  {
+    const Vector3d w = mid(weight_);
+    const Vector3d c = mid(center_);
+    const double length = length_.mid();
+    double t = region.leastAlong(enclose(w), center_).lower() - length;
+    double bound = -INF;
+    Vector3d nearest = region.center;
+    for (int k = 0; k < STEPS; ++k)
     {
-      const Box box = open_.top().box;
-      const int axis = box.widestAxis();
-      if (!box.canBisect(axis))
+      nearest = region.nearest(c + t * w);
+      const Vector3d strut = nearest - (c + t * w);
+      bound = std::max(bound, jointBound(strut, region));
+      const double next = t + (strut.norm() - length) * strut.norm() / w.dot(strut);
+      if (!(next > t))
         break;
-      open_.pop();
-      const auto halves = box.bisect(axis);
-      look(halves.first);
-      look(halves.second);
+      t = next;
     }
-    return { least_, open_.empty() ? least_ : std::max(least_, open_.top().bound) };
+    const double value = signedJoint(region.pointNear(nearest)).upper();
+    return { std::min(bound, value), value };
+  }
+
+  /// Encloses the largest height: that of the point nearest to the rail's line c + t w.
+  Interval largestHeight(const Region& region) const
+  {
+    const Vector3d w = mid(weight_);
+    const Vector3d c = mid(center_);
+    double low = region.leastAlong(enclose(w), center_).lower();
+    double high = -region.leastAlong(enclose(Vector3d(-w)), center_).lower();
+    const auto strutAt = [&](double t) { return Vector3d(region.nearest(c + t * w) - (c + t * w)); };
+    for (int k = 0; k < STEPS; ++k)
+    {
+      const double t = 0.5 * low + 0.5 * high;
+      (w.dot(strutAt(t)) > 0.0 ? low : high) = t;
+    }
+    const Vector3d strut = strutAt(high);
+    const double value = height(region.pointNear(c + high * w + strut)).lower();
+    const double bound = heightAt(length_, Interval(distanceBound(strut, region))).upper();
+    return { value, std::max(bound, value) };
   }
 
 private:
-  struct Part
-  {
-    Box box;
-    double bound;
-    bool operator<(const Part& other) const { return bound < other.bound; }
-  };
+  IntervalVector across(const IntervalVector& p) const { return projector_ * (p - center_); }
 
-  void look(const Box& box)
+  /// @throws std::domain_error where the radicand is negative
+  static Interval rootOf(const Interval& radicand)
   {
-    const Shape& shape = region_.shape;
-    if (shape.misses(box, region_.center, region_.size))
-      return;
-    const auto point = nearestInside(shape, box.center(), region_.center, region_.size);
-    if (point)
-      least_ = std::max(least_, f_.at(enclose(*point)).value.lower());
-    const CenteredBox<double> centered(box);
-    const AffineForm<double> negative = -f_.over(centered);
-    const AffineForm<double> slack = slackOf(shape.halfSpace(box, region_.center, region_.size), centered);
-    const double bound = -lowered(negative, multiplier(negative, slack), slack).lower();
-    open_.push({ box, std::isnan(bound) ? std::numeric_limits<double>::infinity() : bound });
+    if (radicand.upper() < 0.0)
+      throw std::domain_error("joint ranges: a strut does not reach part of the region");
+    return sqrt(Interval(std::max(0.0, radicand.lower()), radicand.upper()));
+  }
+  /// Encloses sqrt(length^2 - distance^2).
+  static Interval heightAt(const Interval& length, const Interval& distance)
+  {
+    return rootOf((length - distance) * (length + distance));
   }
 
-  const ConvexFunction& f_;
-  const Region& region_;
-  double least_;
-  std::priority_queue<Part> open_;
+  /// Bounds s rho from below. A strut d has n . d <= |n| L for any n, and d = (p - c) - s rho w: so
+  /// s rho (n . w) >= n . (p - c) - |n| L, which is sharp for the n along the strut at the least s rho.
+  double jointBound(const Vector3d& n, const Region& region) const
+  {
+    const Interval along = dot(enclose(n), weight_);
+    if (!along.certainlyPositive())
+      return -INF;
+    return ((region.leastAlong(enclose(n), center_) - norm(enclose(n)) * length_) / along).lower();
+  }
+  /// Bounds the distance of the region from the rail's line from below: |Pn| |q| >= n . q = (Pn) . (p - c).
+  double distanceBound(const Vector3d& n, const Region& region) const
+  {
+    const IntervalVector direction = projector_ * enclose(n);
+    const double along = region.leastAlong(direction, center_).lower();
+    return along > 0.0 ? (Interval(along) / Interval(norm(direction).upper())).lower() : 0.0;
+  }
+
+  IntervalVector center_;
+  IntervalMatrix projector_;
+  IntervalVector weight_;
+  Interval length_;
 };
 
-Interval maximum(const ConvexFunction& f, const Region& region)
+/// Encloses the larger of two numbers.
+Interval larger(const Interval& a, const Interval& b)
 {
-  return region.shape.isPolytope() ? maximumAtVertices(f, region) : Maximum(f, region).run();
+  return { std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper()) };
 }
 
-/// Encloses the least value: it is attained nearly at the point that the descent ends at, and a convex function lies
-/// above its tangent plane there.
-Interval minimum(const ConvexFunction& f, const Region& region, double step)
+/// Encloses the largest value over a polytope: a convex function takes it at a vertex.
+Interval largestAtVertices(const Strut& strut, Function function, const Region& region)
 {
-  const Shape& shape = region.shape;
-  Vector3d point = region.center;
-  for (int k = 0; k < STEPS; ++k)
-  {
-    const Vector3d next = shape.nearest(point - step * f.gradientAt(point), region.center, region.size);
-    const double move = (next - point).cwiseAbs().maxCoeff();
-    point = next;
-    if (move <= SMALLEST_MOVE * region.size)
-      break;
-  }
-  point = nearestInside(shape, point, region.center, region.size).value_or(region.center);
-  const ConvexFunction::Value value = f.at(enclose(point));
-  const IntervalVector& g = value.gradient;
-  const Interval to_center = dot(g, enclose(region.center) - enclose(point));
-  const Interval tangent = value.value + to_center - Interval(region.size) * shape.support({ -g[0], -g[1], -g[2] });
-  return Interval(std::min(tangent.lower(), value.value.lower()), value.value.upper());
+  const auto at = [&](const IntervalVector& p) {
+    return function == Function::SIGNED_JOINT ? strut.signedJoint(p) : -strut.height(p);
+  };
+  Interval most = at(enclose(region.center));
+  for (const Vector3d& k : region.shape.extremePoints())
+    most = larger(most, at(region.vertex(k)));
+  return most;
 }
 
-Interval leastHeight(const Machine& machine, int leg, const Region& region)
+Interval largest(const Strut& strut, Function function, const Region& region)
 {
-  return -maximum(ConvexFunction(machine, leg, IntervalVector{}), region);
+  if (const auto radius = region.shape.ballRadius(region.size))
+    return function == Function::SIGNED_JOINT ? strut.largestJoint(enclose(region.center), *radius)
+                                              : -strut.leastHeight(enclose(region.center), *radius);
+  const std::vector<Circle> circles = region.shape.extremeCircles(region.center, region.size);
+  if (circles.empty())
+    return largestAtVertices(strut, function, region);
+  const double gap = GAP * region.size + ROUNDING * strut.length().upper();
+  Interval most = strut.largest(function, circles.front(), gap);
+  for (const Circle& circle : circles)
+    most = larger(most, strut.largest(function, circle, gap));
+  return most;
 }
 
 JointRange rangeOf(const Machine& machine, int leg, const Region& region)
 {
-  const Interval sign(machine.leg(leg).working_mode);
-  const ConvexFunction joint(machine, leg, sign * machine.leg(leg).axis);  // s rho
-  const ConvexFunction height(machine, leg, IntervalVector{});
-  const Interval least_height = leastHeight(machine, leg, region);
-  const double step = 1.0 / joint.curvature(least_height.lower());
-  const Interval first = minimum(joint, region, step);
-  const Interval last = maximum(joint, region);
+  const Strut strut(machine, leg);
+  const Interval first = strut.leastJoint(region);
+  const Interval last = largest(strut, Function::SIGNED_JOINT, region);
+  const Interval least_height = -largest(strut, Function::NEGATIVE_HEIGHT, region);
+  const bool positive = machine.leg(leg).working_mode > 0;
+  const Interval not_negative(0.0, INF);
   JointRange range;
-  range.lower = machine.leg(leg).working_mode > 0 ? first : -last;
-  range.upper = machine.leg(leg).working_mode > 0 ? last : -first;
-  const Interval not_negative(0.0, std::numeric_limits<double>::infinity());
+  range.lower = positive ? first : -last;
+  range.upper = positive ? last : -first;
   range.stroke = intersection(range.upper - range.lower, not_negative);
-  range.across = intersection(-minimum(height, region, step) - least_height, not_negative);
+  range.across = intersection(strut.largestHeight(region) - least_height, not_negative);
   return range;
 }
 }  // namespace

@@ -50,20 +50,22 @@ public:
     return points;
   }
 
-  /// The faces across the axis.
-  std::vector<Box> extremeBoxes(const Vector3d& center, double size) const override
+  /// The rims of both faces; of a disc, its own.
+  std::vector<Circle> extremeCircles(const Vector3d& center, double size) const override
   {
     if (round_ == 3)
-      return Shape::extremeBoxes(center, size);
-    Box bottom = boundingBox(center, size);
-    Box top = bottom;
-    const Interval low = Interval(center.z()) - halfHeight(size);
-    const Interval high = Interval(center.z()) + halfHeight(size);
-    bottom.lower.z() = low.lower();
-    bottom.upper.z() = low.upper();
-    top.lower.z() = high.lower();
-    top.upper.z() = high.upper();
-    return { bottom, top };
+      return {};
+    const auto at = [&](const Interval& above) {
+      return Circle{ enclose(center) + IntervalVector{ 0.0, 0.0, above }, radius(size) };
+    };
+    if (half_height_ == 0.0)
+      return { at(0.0) };
+    return { at(-halfHeight(size)), at(halfHeight(size)) };
+  }
+
+  std::optional<Interval> ballRadius(double size) const override
+  {
+    return round_ == 3 ? std::optional<Interval>(radius(size)) : std::nullopt;
   }
 
   HalfSpace halfSpace(const Box& part, const Vector3d& center, double size) const override

@@ -67,6 +67,16 @@ ShapePtr makeShape(const std::string& name, const Proportions& proportions)
   return shape;
 }
 
+std::vector<Circle> Shape::extremeCircles(const Eigen::Vector3d&, double) const
+{
+  return {};
+}
+
+std::optional<Interval> Shape::ballRadius(double) const
+{
+  return std::nullopt;
+}
+
 Box Shape::boundingBox(const Eigen::Vector3d& center, double size) const
 {
   IntervalVector sides;

@@ -65,6 +65,8 @@ RailRange railRange(const JointRange& range, const std::string& joint)
   message.joint = joint;
   message.lower = range.lower.lower();
   message.upper = range.upper.upper();
+  message.inner_lower = range.lower.upper();
+  message.inner_upper = range.upper.lower();
   message.stroke_lower_bound = range.stroke.lower();
   message.stroke_upper_bound = range.stroke.upper();
   message.across_lower_bound = range.across.lower();

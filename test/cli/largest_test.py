@@ -40,6 +40,23 @@ class Largest(CommandTest):
             self.assertAlmostEqual(entry["across"], CUBE_ACROSS, delta=1e-5)
             self.assertGreaterEqual(entry["upper"] - entry["lower"], entry["stroke"] - 1e-6)
 
+    def test_joint_ranges_are_enclosed_up_to_the_border_of_reach(self):
+        answer = self.largest(URANESX, "--set", "reachable", "--force-max", 2, "--shape", "square")
+        x, y, z = answer["center"]
+        for entry, turn in zip(answer["joint_ranges"], (0, 2 * math.pi / 3, 4 * math.pi / 3)):
+            offset = [abs(x - 11 / 26 * math.cos(turn)), abs(y - 11 / 26 * math.sin(turn))]
+            far = sum((d + answer["size"] / 2)**2 for d in offset)
+            near = sum(max(0, d - answer["size"] / 2)**2 for d in offset)
+            ends = {"lower": z + math.sqrt(max(0, 1 - far)), "upper": z + math.sqrt(1 - near)}
+            for end, value in ends.items():
+                lower, upper = entry["enclosures"][end]
+                self.assertBrackets(lower, value, upper, 1e-7)
+                self.assertLess(upper - lower, 1e-6)
+            self.assertEqual(entry["lower"], entry["enclosures"]["lower"][0])
+            self.assertEqual(entry["upper"], entry["enclosures"]["upper"][1])
+            for width in ("stroke", "across"):
+                self.assertEqual(entry[width], entry["enclosures"][width][1])
+
     def test_cubes_for_other_bounds(self):
         for factor, edge in ((1.5, 0.397924), (2.5, 0.733668), (3, 0.786583), (4, 0.845790)):
             answer = self.largest(ORTHOGLIDE, "--psi-min", 1 / factor, "--psi-max", factor, "--accuracy", 1e-4)

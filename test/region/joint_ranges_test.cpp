@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <sstream>
+
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -13,7 +16,79 @@ namespace pkm_workspace
 namespace
 {
 constexpr unsigned SEED = 20260604;
+using Number = test::Oracle::Number;
+
+test::Oracle::Vector exactly(const Eigen::Vector3d& point)
+{
+  return { point.x(), point.y(), point.z() };
 }
+
+/// Joint values over points of a region, each exact to 100 digits: the least and the largest that a search finds.
+struct Found
+{
+  Number least, largest;
+};
+
+/// From the best of seeded points in steps that get shorter, in both directions.
+Found search(const Machine& machine, int leg, const Shape& shape, const Eigen::Vector3d& center, double size)
+{
+  const test::Oracle oracle(machine, Criterion());
+  test::RandomBoxes random(SEED);
+  const auto inside = [&](const Eigen::Vector3d& point) {
+    return nearestInside(shape, point, center, size).value_or(center);
+  };
+  using Wide = Eigen::Matrix<long double, 3, 1>;
+  const Wide c = mid(machine.center(leg)).cast<long double>();
+  const Wide e = mid(machine.leg(leg).axis).cast<long double>().normalized();
+  const long double length = machine.leg(leg).length.mid();
+  const auto rhoAt = [&](const Eigen::Vector3d& point) {
+    const Wide x = point.cast<long double>() - c;
+    const long double along = e.dot(x);
+    const long double radicand = length * length - (x - along * e).squaredNorm();
+    return along - machine.leg(leg).working_mode * std::sqrt(std::max(0.0L, radicand));
+  };
+  const auto best = [&](int sign) {
+    Eigen::Vector3d at = center;
+    long double value = sign * rhoAt(at);
+    const auto attempt = [&](const Eigen::Vector3d& point) {
+      const long double there = sign * rhoAt(point);
+      at = there < value ? point : at;
+      value = there < value ? there : value;
+    };
+    for (const Eigen::Vector3d& k : shape.extremePoints())
+      attempt(inside(center + size * k));
+    const Eigen::Vector3d reach = size * shape.halfExtents();
+    for (double step = 1.0; step > 1e-11; step *= 0.8)
+      for (int k = 0; k < test::cases(40); ++k)
+        attempt(inside(at + step * random.pointIn(Box{ -reach, reach })));
+    return oracle.joint(leg, exactly(at));
+  };
+  return { best(1), best(-1) };
+}
+
+void expectTight(const Machine& machine, const Shape& shape, double size, double rounding)
+{
+  const auto ranges = jointRanges(machine, shape, machine.zero(), size);
+  for (int leg = 0; leg < 3; ++leg)
+  {
+    const JointRange& range = ranges[static_cast<std::size_t>(leg)];
+    const Found found = search(machine, leg, shape, machine.zero(), size);
+    const auto message = [&] {
+      std::ostringstream text;
+      text << machine.name() << ", leg " << leg << ", " << shape.name() << " of size " << size << ", seed " << SEED
+           << ": " << range.lower << " found " << found.least << ", " << range.upper << " found " << found.largest;
+      return text.str();
+    };
+    EXPECT_LE(range.lower.width(), rounding) << message();
+    EXPECT_LE(range.upper.width(), rounding) << message();
+    EXPECT_LE(range.across.width(), 2 * rounding) << message();
+    EXPECT_TRUE(range.lower.lower() <= found.least && found.largest <= range.upper.upper()) << message();
+    const double searched = 1e-5 * size * shape.halfExtents().maxCoeff();
+    EXPECT_TRUE(found.least <= range.lower.upper() + searched) << message();
+    EXPECT_TRUE(found.largest >= range.upper.lower() - searched) << message();
+  }
+}
+}  // namespace
 
 // docs/values.md: over the largest cube the stroke is 1 + 1/(3 sqrt 2) - 1/sqrt 6 and its part Delta f is 1 -
 // sqrt(2/3). Between the cubes a little smaller and a little larger than the largest one lie the exact values.
@@ -87,6 +162,85 @@ TEST(JointRanges, encloseTheJointValuesOfEveryPoint)
       }
     }
   }
+}
+
+// Rails along z: rho = z - eta, and eta follows from the distance of the axis from the nearest and the farthest point
+// of the square, whose corner comes as near to the border of reach as doubles can.
+TEST(JointRanges, squaresNearTheBorderOfReach)
+{
+  const Machine machine = uranesx();
+  const double z = machine.zero().z();
+  const Eigen::Vector3d axis = mid(machine.center(1)).cwiseAbs();  // the corner across from it is the farthest of all
+  for (const double margin : { 1e-1, 1e-2, 1e-3, 1e-5, 1e-8, 1e-12, 1e-15 })
+  {
+    const double reach = 1.0 - margin;
+    const double sum = axis.x() + axis.y();
+    const double half = 0.5 * (std::sqrt(sum * sum - 2.0 * (axis.squaredNorm() - reach * reach)) - sum);
+    const JointRange range = jointRanges(machine, *makeSquare(), { 0.0, 0.0, z }, 2.0 * half)[1];
+    const auto squaredDistance = [&](int side) {
+      const Number x = std::max(Number(0), Number(axis.x()) + side * Number(half));
+      const Number y = std::max(Number(0), Number(axis.y()) + side * Number(half));
+      return Number(x * x + y * y);
+    };
+    ASSERT_LE(squaredDistance(1), 1) << "beyond reach";
+    const Number least = z + sqrt(1 - squaredDistance(1));
+    const Number largest = z + sqrt(1 - squaredDistance(-1));
+    EXPECT_TRUE(range.lower.lower() <= least && least <= range.lower.upper()) << range.lower << ' ' << least;
+    EXPECT_TRUE(range.upper.lower() <= largest && largest <= range.upper.upper()) << range.upper << ' ' << largest;
+    const double root = 1e-14 + 4e-15 / std::sqrt(2.0 * margin);  // of the roundings of the squared distance
+    EXPECT_LE(range.lower.width(), root) << "margin " << margin;
+    EXPECT_LE(range.upper.width(), 1e-14) << "margin " << margin;
+    EXPECT_LE(range.stroke.width(), 2e-14 + root) << "margin " << margin;
+  }
+}
+
+TEST(JointRanges, holdAndMeetWhatASearchFinds)
+{
+  for (const Machine& machine : test::everyKind())
+  {
+    const double scale = machine.scale();
+    const double rounding = 1e-13 * (scale + machine.zero().norm());
+    for (const ShapePtr& shape : { makeCube(), makeSquare(), makeBox({ 0.1, 0.3, 2.0 }), makeSphere() })
+      for (const double size : { 0.02 * scale, 0.3 * scale })
+        expectTight(machine, *shape, size, rounding);
+    for (const ShapePtr& shape : { makeDisc(), makeCylinder(0.3), makeCylinder(5.0) })
+      expectTight(machine, *shape, 0.05 * scale, 1e-12 * 0.05 * scale + rounding);
+  }
+}
+
+// A strut that just reaches has unbounded derivatives; the ranges are known all the same. Beyond, they are refused.
+TEST(JointRanges, regionsThatTouchTheBorderOfReach)
+{
+  for (const Machine& machine : { test::crooked(1), test::crooked(5), test::cone() })
+    for (const ShapePtr& shape : { makeCube(), makeSphere() })
+    {
+      double size = 0.01 * machine.scale();
+      double beyond = 4.0 * machine.scale();
+      for (int k = 0; k < 60; ++k)
+      {
+        const double middle = 0.5 * (size + beyond);
+        try
+        {
+          jointRanges(machine, *shape, machine.zero(), middle);
+          size = middle;
+        }
+        catch (const std::domain_error&)
+        {
+          beyond = middle;
+        }
+      }
+      EXPECT_LT(size, 3.0 * machine.scale());
+      expectTight(machine, *shape, (1.0 - 1e-14) * size, 1e-6 * machine.scale());
+    }
+}
+
+TEST(JointRanges, roundRegionsThatTouchTheBorderOfReach)
+{
+  const Machine machine = uranesx();
+  const double reach = 1.0 - std::abs(mid(machine.center(0)).x()) - 2e-16;
+  expectTight(machine, *makeDisc(), reach, 1e-6);
+  expectTight(machine, *makeCylinder(0.5), 2.0 * reach, 1e-6);
+  expectTight(machine, *makeSphere(), reach, 1e-6);
 }
 
 TEST(JointRanges, refuseARegionThatIsOutOfReach)

@@ -91,6 +91,9 @@ TEST(ComputeLargestRegion, enclosesJointRanges)
     const RailRange& range = response.region.joint_ranges[i];
     EXPECT_EQ(joints[i], range.joint);
     EXPECT_LE(range.stroke_lower_bound, range.stroke_upper_bound);
+    EXPECT_LE(range.lower, range.inner_lower);
+    EXPECT_LE(range.inner_upper, range.upper);
+    EXPECT_LE(range.inner_lower - range.lower + range.upper - range.inner_upper, 1e-12);
     EXPECT_LE(range.stroke_upper_bound, range.upper - range.lower + 1e-12);
     // a region a little smaller than the largest needs a stroke a little smaller
     EXPECT_NEAR(STROKE, range.stroke_upper_bound, 1e-4);

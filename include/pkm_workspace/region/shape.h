@@ -13,6 +13,13 @@
 
 namespace pkm_workspace
 {
+/// A circle across the axis z.
+struct Circle
+{
+  IntervalVector center;  ///< [m]
+  Interval radius;        ///< [m]
+};
+
 /// A convex body K that contains the origin (paper, sections 2.4 and 2.5): regions are c + h K for a center c [m] and a
 /// size h > 0. The search knows bodies by this interface only. Immutable, so shared freely between threads.
 class Shape
@@ -32,11 +39,10 @@ public:
   virtual bool isPolytope() const = 0;
   /// The smallest box of doubles that contains c + h K, whose half extents are doubles.
   Box boundingBox(const Eigen::Vector3d& center, double size) const;
-  /// Boxes that contain all extreme points of c + h K: where a convex function is largest.
-  virtual std::vector<Box> extremeBoxes(const Eigen::Vector3d& center, double size) const
-  {
-    return { boundingBox(center, size) };
-  }
+  /// Circles that hold all extreme points of c + h K, where these are neither vertices nor a sphere.
+  virtual std::vector<Circle> extremeCircles(const Eigen::Vector3d& center, double size) const;
+  /// Encloses the radius of h K where it is a ball [m].
+  virtual std::optional<Interval> ballRadius(double size) const;
   /// A half-space that contains c + h K and cuts off as much of a part of its bounding box as it can; all points where
   /// K is that box.
   virtual HalfSpace halfSpace(const Box& part, const Eigen::Vector3d& center, double size) const = 0;
