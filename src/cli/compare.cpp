@@ -36,8 +36,9 @@ Json jsonOf(const Comparison& study)
   json["scaled"] = Json::object();
   for (std::size_t i = 0; found && i < 3; ++i)
     json["joint_ranges"].push_back({ { "joint", study.machine.leg(static_cast<int>(i)).joint },
-                                     { "lower", study.ranges[i].lower() },
-                                     { "upper", study.ranges[i].upper() } });
+                                     { "lower", study.ranges.outer[i].lower() },
+                                     { "upper", study.ranges.outer[i].upper() },
+                                     { "inner", toJson(study.ranges.inner[i]) } });
   for (const Figure& figure : figuresOf(study))
   {
     json["figures"][figure.key] = toJson(figure.value);

@@ -34,6 +34,24 @@ Criterion criterionOf(const SingularityQuery& query)
   return criterion;
 }
 
+/// By how much each end of the limits has to be kept so that a point counts for certain [m]: (leg, side).
+using Slack = std::array<std::array<double, 2>, 3>;
+
+Slack slackOf(const Machine& machine, const SingularityQuery& query)
+{
+  Slack slack = {};
+  for (std::size_t i = 0; query.surely_within && i < 3; ++i)
+  {
+    const Interval& sure = (*query.surely_within)[i];
+    const Interval& limits = machine.leg(static_cast<int>(i)).limits;
+    slack[i] = { INF, INF };
+    if (!sure.isEmpty() && limits.isBounded())
+      slack[i] = { (Interval(sure.lower()) - Interval(limits.lower())).upper(),
+                   (Interval(limits.upper()) - Interval(sure.upper())).upper() };
+  }
+  return slack;
+}
+
 /// One look at a box as a whole.
 struct Look
 {
@@ -41,10 +59,11 @@ struct Look
   bool inside;   ///< every point counts, up to the sign of the measure
   Form measure;  ///< [m^2] or [m^3]; valid where all struts reach
 
-  void ask(const Form& form, bool is_measure)
+  /// @param enough a point counts for certain where the form is at least this
+  void ask(const Form& form, bool is_measure, double enough = 0.0)
   {
     empty = empty || form.upper() < 0.0;
-    inside = inside && (is_measure || form.lower() >= 0.0);
+    inside = inside && (is_measure || form.lower() >= enough);
   }
 };
 
@@ -52,9 +71,11 @@ struct Look
 class LeastMeasure
 {
 public:
-  LeastMeasure(const MachineModel<double>& model, const SingularityQuery& query, std::size_t measure)
+  LeastMeasure(const MachineModel<double>& model, const SingularityQuery& query, const Slack& slack,
+               std::size_t measure)
     : model_(model)
     , query_(query)
+    , slack_(slack)
     , measure_(measure)
     , two_sided_(measure == PARALLEL && !model.oriented())
     , begin_(std::chrono::steady_clock::now())
@@ -109,7 +130,7 @@ private:
       look.ask(forms.radicand[leg], leg == measure_);
       for (const int side : { 0, 1 })
         if (model_.limited(leg, side))
-          look.ask(model_.limitMargin(leg, side, forms, centered), false);
+          look.ask(model_.limitMargin(leg, side, forms, centered), false, slack_[leg][static_cast<std::size_t>(side)]);
     }
     if (model_.oriented())
       look.ask(model_.orientation(forms), measure_ == PARALLEL);
@@ -191,6 +212,7 @@ private:
 
   const MachineModel<double>& model_;
   const SingularityQuery& query_;
+  const Slack& slack_;
   const std::size_t measure_;
   const bool two_sided_;
   const std::chrono::steady_clock::time_point begin_;
@@ -206,6 +228,8 @@ void SingularityQuery::validate(Problems& problems) const
   budget.validate(problems);
   if (box)
     validateBox("box", *box, problems);
+  if (surely_within && !joint_limits)
+    problems.push_back("surely_within needs joint_limits");
 }
 
 Singularities findSingularities(const Machine& machine, const SingularityQuery& query)
@@ -214,12 +238,13 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   const auto begin = std::chrono::steady_clock::now();
   const Criterion criterion = criterionOf(query);
   const MachineModel<double> model(machine, criterion);
+  const Slack slack = slackOf(machine, query);
   const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
   Singularities result;
   ThreadPool pool(query.budget.threads, 0.0);
   pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
-    answer = LeastMeasure(model, query, measure).run(root);
+    answer = LeastMeasure(model, query, slack, measure).run(root);
   });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

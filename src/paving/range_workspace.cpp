@@ -28,26 +28,50 @@ void validateRanges(const std::array<Interval, 3>& ranges, Problems& problems)
     }
 }
 
+/// Bounds the volume of the points whose joint values lie in the outer ranges, but not all in the inner ones: for each
+/// offset across a rail, of which there are pi L^2, joint value and way along the rail differ by a constant.
+Interval volumeBetween(const Machine& machine, const JointIntervals& ranges)
+{
+  Interval volume;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Interval& outer = ranges.outer[i];
+    const Interval& inner = ranges.inner[i];
+    Interval between = Interval(outer.upper()) - Interval(outer.lower());
+    if (!inner.isEmpty())
+      between =
+          (Interval(inner.lower()) - Interval(outer.lower())) + (Interval(outer.upper()) - Interval(inner.upper()));
+    volume += pi() * sqr(machine.leg(static_cast<int>(i)).length) * between;
+  }
+  return volume;
+}
+
 /// Both aspects at one resolution after the other.
 class RangePaver
 {
 public:
   RangePaver(const Machine& machine, const RangeQuery& query)
-    : machine_(withJointLimits(machine, query.ranges)), query_(query), begin_(std::chrono::steady_clock::now())
+    : machine_(withJointLimits(machine, query.ranges.outer))
+    , query_(query)
+    , uncertain_(volumeBetween(machine, query.ranges))
+    , begin_(std::chrono::steady_clock::now())
   {}
 
   RangeWorkspace run()
   {
     double resolution = COARSE * machine_.scale();
-    for (int k = 0; k <= HALVINGS && !answer_.complete && !isOver(); ++k, resolution *= 0.5)
+    const auto isSettled = [&](const Interval& own) { return own.width() <= query_.accuracy * own.upper(); };
+    for (int k = 0; k <= HALVINGS && !(k > 0 && isSettled(answer_.own_aspect)) && !isOver(); ++k, resolution *= 0.5)
     {
       answer_.resolution = resolution;
       const Interval own = volume(Criterion::Aspect::OWN, resolution);
       const Interval other = volume(Criterion::Aspect::OTHER, resolution);
       answer_.own_aspect = k == 0 ? own : intersection(answer_.own_aspect, own);
       answer_.other_aspect = k == 0 ? other : intersection(answer_.other_aspect, other);
-      answer_.complete = answer_.own_aspect.width() <= query_.accuracy * answer_.own_aspect.upper();
     }
+    answer_.own_aspect = withinRanges(answer_.own_aspect);
+    answer_.other_aspect = withinRanges(answer_.other_aspect);
+    answer_.complete = isSettled(answer_.own_aspect);
     answer_.seconds = seconds();
     return answer_;
   }
@@ -80,8 +104,15 @@ private:
     return reachableVolume(machine_, query.criterion, *paving, query.budget);
   }
 
+  /// Encloses the volume for the ranges, given that for the outer ones.
+  Interval withinRanges(const Interval& outer) const
+  {
+    return { std::max(0.0, (outer - uncertain_).lower()), outer.upper() };
+  }
+
   const Machine machine_;
   const RangeQuery& query_;
+  const Interval uncertain_;  ///< what may belong to the outer ranges only [m^3]
   const std::chrono::steady_clock::time_point begin_;
   std::int64_t boxes_ = 0;
   std::array<std::optional<Paving>, 2> pavings_;  ///< of either aspect, at the last resolution
@@ -89,18 +120,22 @@ private:
 };
 }  // namespace
 
-std::array<Interval, 3> equalisedRanges(const std::array<Interval, 3>& ranges)
+JointIntervals equalisedRanges(const std::array<Interval, 3>& least, const std::array<Interval, 3>& strokes)
 {
   Problems problems;
-  validateRanges(ranges, problems);
+  validateRanges(least, problems);
+  validateRanges(strokes, problems);
   throwProblems(problems);
-  double stroke = 0.0;
-  for (const Interval& range : ranges)
-    stroke = std::max(stroke, range.width());
-  std::array<Interval, 3> equal;
-  std::transform(ranges.begin(), ranges.end(), equal.begin(), [stroke](const Interval& range) {
-    return Interval(range.lower(), (Interval(range.lower()) + Interval(stroke)).upper());
-  });
+  Interval longest = strokes[0];
+  for (const Interval& stroke : strokes)
+    longest = { std::max(longest.lower(), stroke.lower()), std::max(longest.upper(), stroke.upper()) };
+  JointIntervals equal;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Interval end = least[i] + longest;
+    equal.outer[i] = { least[i].lower(), end.upper() };
+    equal.inner[i] = least[i].upper() <= end.lower() ? Interval(least[i].upper(), end.lower()) : Interval::empty();
+  }
   return equal;
 }
 
@@ -114,7 +149,10 @@ Machine withJointLimits(const Machine& machine, const std::array<Interval, 3>& l
 
 void RangeQuery::validate(Problems& problems) const
 {
-  validateRanges(ranges, problems);
+  validateRanges(ranges.outer, problems);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!ranges.inner[i].isSubsetOf(ranges.outer[i]))
+      problems.push_back("inner range of joint " + std::to_string(i + 1) + " must lie in the outer one");
   validateShare("accuracy", accuracy, "(relative)", problems);
   budget.validate(problems);
 }

@@ -29,6 +29,11 @@ void addSingularities(const Singularities& found, const std::string& key, const 
 }
 }  // namespace
 
+std::array<Interval, 3> Comparison::each(Interval JointRange::*part) const
+{
+  return { region.joint_ranges[0].*part, region.joint_ranges[1].*part, region.joint_ranges[2].*part };
+}
+
 Interval Comparison::largest(Interval JointRange::*part) const
 {
   Interval most = region.joint_ranges[0].*part;
@@ -49,9 +54,7 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
   study.query.progress = nullptr;
   if (!(study.region.size > 0.0))
     return study;
-  for (std::size_t i = 0; i < 3; ++i)
-    study.ranges[i] = hull(study.region.joint_ranges[i].lower, study.region.joint_ranges[i].upper);
-  study.ranges = equalisedRanges(study.ranges);
+  study.ranges = equalisedRanges(study.each(&JointRange::lower), study.each(&JointRange::stroke));
   tell(machine.name() + ", volume for the strokes");
   study.workspace = workspaceOfRanges(machine, { study.ranges, volume_accuracy, budget });
   const auto singularities = [&budget](const Machine& in, SingularityQuery of) {
@@ -65,7 +68,8 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
       singularities(machine, singularitiesOver(study.region.shape, study.region.center, study.region.size));
   SingularityQuery in_ranges;
   in_ranges.joint_limits = true;
-  study.in_ranges = singularities(withJointLimits(machine, study.ranges), in_ranges);
+  in_ranges.surely_within = study.ranges.inner;
+  study.in_ranges = singularities(withJointLimits(machine, study.ranges.outer), in_ranges);
   return study;
 }
 

@@ -4,11 +4,73 @@
 
 import json
 import math
+import random
 import unittest
 
 from pkm import ORTHOGLIDE, URANESX, CommandTest, run
 
+SEED = 20261126
+AXES = [(11 / 26 * math.cos(turn), 11 / 26 * math.sin(turn)) for turn in (0, 2 * math.pi / 3, 4 * math.pi / 3)]
 EDGE = 1 / math.sqrt(6) + 1 / (3 * math.sqrt(2))  # of the Orthoglide's largest cube [m]
+
+
+def height(squared_distance):
+    """How far a strut of the UraneSX, 1 m long, goes along its rail."""
+    return math.sqrt(max(0.0, 1 - squared_distance))
+
+
+def strokes_of(answer):
+    """What the joints of the UraneSX take over a square or disc: the least values, and the longest stroke."""
+    x, y, z = answer["center"]
+    half = answer["size"] / 2
+    least, strokes = [], []
+    for a, b in AXES:
+        if answer["shape"] == "square":
+            near, far = (sum(max(0, abs(u - v) + side * half)**2 for u, v in ((x, a), (y, b))) for side in (-1, 1))
+        else:
+            distance = math.hypot(x - a, y - b)
+            near, far = max(0, distance - 2 * half)**2, (distance + 2 * half)**2
+        least.append(z + height(far))
+        strokes.append(height(near) - height(far))
+    return least, max(strokes)
+
+
+def volume_of(least, stroke, count=150):
+    """All that the UraneSX reaches with joint values from least to least + stroke: one seeded point in each cell of a
+    grid across the rails, each with the length that is reached along them."""
+    generator = random.Random(SEED)
+    cell = 2 / count
+    volume = 0.0
+    for i in range(count):
+        for j in range(count):
+            x = (i + generator.random()) * cell - 1
+            y = (j + generator.random()) * cell - 1
+            squares = [(x - a)**2 + (y - b)**2 for a, b in AXES]
+            if max(squares) <= 1:
+                low = max(end - height(square) for end, square in zip(least, squares))
+                high = min(end + stroke - height(square) for end, square in zip(least, squares))
+                volume += max(0.0, high - low) * cell**2
+    return volume
+
+
+class Strokes(CommandTest):
+    def test_volumes_are_those_of_the_true_strokes(self):
+        """Near the border of reach, where a joint's largest value was once bounded a half too high."""
+        for words in (("--set", "reachable", "--force-max", 2), ("--set", "reachable", "--kappa-max", 20),
+                      ("--psi-max", 100), ("--psi-max", 100, "--shape", "disc")):
+            with self.subTest(words=words, seed=SEED):
+                shape = () if "--shape" in words else ("--shape", "square")
+                answer = self.answer("compare", "--urdf", URANESX, *words, *shape, "--accuracy", 0.01)["machines"][0]
+                least, stroke = strokes_of(answer)
+                figures = answer["figures"]
+                self.assertBrackets(figures["stroke"][0], stroke, figures["stroke"][1], 1e-9)
+                self.assertLess(figures["stroke"][1] - figures["stroke"][0], 1e-6)
+                lower, upper = figures["workspace_volume"]
+                self.assertBrackets(lower, volume_of(least, stroke), upper, 1e-3)
+                self.assertLess(upper - lower, 0.01 * upper)
+                for joint, begin in zip(answer["joint_ranges"], least):
+                    self.assertBrackets(joint["lower"], begin, joint["inner"][0], 1e-9)
+                    self.assertBrackets(joint["inner"][1], begin + stroke, joint["upper"], 1e-9)
 
 
 class Compare(CommandTest):

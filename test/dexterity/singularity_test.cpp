@@ -24,11 +24,10 @@ constexpr unsigned SEED = 20261122;
 /// The machine with the equalised joint ranges of a region for limits.
 Machine withRangesOf(const Machine& machine, const Shape& shape, const Vector3d& center, double size)
 {
-  std::array<Interval, 3> ranges;
   const auto over = jointRanges(machine, shape, center, size);
-  for (std::size_t i = 0; i < 3; ++i)
-    ranges[i] = hull(over[i].lower, over[i].upper);
-  return withJointLimits(machine, equalisedRanges(ranges));
+  const JointIntervals ranges = equalisedRanges({ over[0].lower, over[1].lower, over[2].lower },
+                                                { over[0].stroke, over[1].stroke, over[2].stroke });
+  return withJointLimits(machine, ranges.outer);
 }
 
 /// docs/values.md: the largest cube, its edge rounded inward.
@@ -128,6 +127,35 @@ TEST(Singularity, serialInTheJointRangesOfTheUranesx)
   }
   expectBounds(machine, test::spaceOf(machine), found,
                [&](const Configuration& at) { return withinLimits(machine, at); });
+}
+
+// Where limits are enclosures, what lies between the inner and the outer ones is neither proved nor excluded.
+TEST(Singularity, limitsThatAreEnclosuresProveNothingBetweenThem)
+{
+  const Machine machine = withRangesOf(orthoglide(), *makeCube(), CUBE_CENTER, CUBE_EDGE);
+  SingularityQuery query = withinLimits();
+  const SingularityAnswer exact = findSingularities(machine, query).parallel;
+  ASSERT_EQ(exact.status, Status::PROVED);
+  const auto answerWithin = [&](double kept) {
+    std::array<Interval, 3> sure;
+    for (std::size_t i = 0; i < 3; ++i)
+      sure[i] = Interval(machine.leg(static_cast<int>(i)).limits.lower() + kept,
+                         machine.leg(static_cast<int>(i)).limits.upper());
+    query.surely_within = sure;
+    query.budget.max_boxes = 20000;
+    return findSingularities(machine, query).parallel;
+  };
+  const SingularityAnswer nearly = answerWithin(1e-9);
+  EXPECT_EQ(nearly.status, Status::PROVED);
+  const SingularityAnswer within = answerWithin(0.4);
+  EXPECT_EQ(within.status, Status::UNDECIDED) << "the singularities have smaller joint values";
+  EXPECT_TRUE(within.least.contains(0.0));
+  query.surely_within = { Interval::empty(), Interval::empty(), Interval::empty() };
+  const SingularityAnswer none = findSingularities(machine, query).parallel;
+  EXPECT_EQ(none.status, Status::UNDECIDED);
+  EXPECT_EQ(none.least.upper(), std::numeric_limits<double>::infinity());
+  query.joint_limits = false;
+  test::expectThrow<std::invalid_argument>([&] { findSingularities(machine, query); }, "surely_within");
 }
 
 TEST(Singularity, noneInTheUranesxSquare)

@@ -18,6 +18,10 @@ struct SingularityQuery
 
   Criterion::Aspect aspect = Criterion::Aspect::BOTH;  ///< which sign of det A counts; BOTH: either of them
   bool joint_limits = false;                           ///< whether the joint limits of the machine hold
+  /// Joint values with which points are proved to count, each within the limits of the machine [m]; empty: none. For
+  /// limits that are themselves enclosures: no singularity is proved beyond these, and none excluded within the limits.
+  /// Without it, the limits.
+  std::optional<std::array<Interval, 3>> surely_within;
   std::optional<Box> box;  ///< points to look at [m]; without it, the bounds of all reachable points
   /// Whether all points of a box within it count, or none; without it, all count. Called by several threads at a time.
   std::function<BoxVerdict(const Box&)> part;

@@ -7,10 +7,22 @@
 
 namespace pkm_workspace
 {
+/// Ranges of the three joints [m] whose ends may be known by enclosures only.
+struct JointIntervals
+{
+  JointIntervals() = default;
+  /// Known exactly.
+  JointIntervals(const std::array<Interval, 3>& exact) : outer(exact), inner(exact) {}
+
+  std::array<Interval, 3> outer;  ///< hold the ranges: what is absent within these is absent within the ranges
+  std::array<Interval, 3> inner;  ///< lie in the ranges, empty where no part is known: what exists within these exists
+};
+
 /// The three ranges of the joints as section 4.4 of the paper equalises them: each begins at its own least value and
-/// has the largest stroke of the three, rounded up [m].
-/// @throws std::invalid_argument for ranges that are not bounded
-std::array<Interval, 3> equalisedRanges(const std::array<Interval, 3>& ranges);
+/// has the largest stroke of the three.
+/// @param least encloses the least value of each joint [m] @param strokes enclose the strokes [m]
+/// @throws std::invalid_argument for enclosures that are not bounded
+JointIntervals equalisedRanges(const std::array<Interval, 3>& least, const std::array<Interval, 3>& strokes);
 
 /// The same machine with these joint limits [m].
 Machine withJointLimits(const Machine& machine, const std::array<Interval, 3>& limits);
@@ -18,9 +30,9 @@ Machine withJointLimits(const Machine& machine, const std::array<Interval, 3>& l
 /// What to measure. Values with defaults; validate() tells what is wrong.
 struct RangeQuery
 {
-  std::array<Interval, 3> ranges;  ///< of the joint values [m]; bounded
-  double accuracy = 5e-3;          ///< wanted width of the volume, relative to its upper end; > 0
-  Budget budget;                   ///< max_boxes and time_limit are shared by all pavings
+  JointIntervals ranges;   ///< of the joint values [m]; bounded
+  double accuracy = 5e-3;  ///< wanted width of the volume, relative to its upper end; > 0
+  Budget budget;           ///< max_boxes and time_limit are shared by all pavings
 
   void validate(Problems& problems) const;
 };
@@ -36,7 +48,8 @@ struct RangeWorkspace
 };
 
 /// Paves it more and more finely until the volume of the machine's own aspect is known to the accuracy or the budget
-/// ends. The ranges are used as they are: equalise them first for what the paper does.
+/// ends. Paved are the outer ranges; what they hold beyond the inner ones goes off the lower bounds: a length w of a
+/// joint's values takes at most the volume pi L^2 w. Equalise the ranges first for what the paper does.
 /// @throws std::invalid_argument for a query that is not valid, with all reasons
 RangeWorkspace workspaceOfRanges(const Machine& machine, const RangeQuery& query);
 }  // namespace pkm_workspace

@@ -16,12 +16,14 @@ struct Comparison
 {
   Machine machine;
   RegionQuery query;
-  LargestRegion region;                 ///< the rest has no meaning when its size is 0
-  std::array<Interval, 3> ranges = {};  ///< of the joints over the region, equalised as the paper does [m]
-  RangeWorkspace workspace = {};        ///< all that is reachable within these ranges
-  Singularities in_region = {};         ///< at the points of the region
-  Singularities in_ranges = {};         ///< at all points with joint values within the ranges, in either aspect
-  Interval largest(Interval JointRange::*part) const;  ///< of the three joints [m]
+  LargestRegion region;           ///< the rest has no meaning when its size is 0
+  JointIntervals ranges = {};     ///< of the joints over the region, equalised as the paper does [m]
+  RangeWorkspace workspace = {};  ///< all that is reachable within these ranges
+  Singularities in_region = {};   ///< at the points of the region
+  Singularities in_ranges = {};   ///< at all points with joint values within the ranges, in either aspect
+
+  std::array<Interval, 3> each(Interval JointRange::*part) const;  ///< of the three joints [m]
+  Interval largest(Interval JointRange::*part) const;              ///< of the three joints [m]
 };
 
 /// Told what is computed just now.
