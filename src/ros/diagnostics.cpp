@@ -24,13 +24,13 @@ void Diagnostics::tellGeometry(Status& status) const
   if (warnings.empty())
     status.summary(Status::OK, "machine loaded");
   else
-    status.summaryf(Status::WARN, "machine loaded; %zu things of its URDF are not used", warnings.size());
+    status.summaryf(Status::WARN, "machine loaded with %zu warnings about its URDF", warnings.size());
   status.add("machine", context_.machine().name());
   status.add("geometry hash", context_.frames.root().geometry_hash);
   status.add("frame", context_.frames.root().frame);
   status.add("version", version());
   for (const std::string& warning : warnings)
-    status.add("not used", warning);
+    status.add("warning", warning);
 }
 
 void Diagnostics::tellComputation(Status& status) const

@@ -114,6 +114,28 @@ void parse(const std::string& xml, tinyxml2::XMLDocument& xml_document, Problems
   problems.throwIfAny();
 }
 
+/// The first element of xacro, or null.
+const XMLElement* firstOfXacro(const XMLElement& element)
+{
+  if (std::string(element.Name()).rfind("xacro:", 0) == 0)
+    return &element;
+  for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    if (const XMLElement* const found = firstOfXacro(*child))
+      return found;
+  return nullptr;
+}
+
+/// xacro leaves its namespace in what it writes, but none of its elements.
+void checkXacro(const tinyxml2::XMLDocument& xml_document, Problems& problems)
+{
+  const XMLElement* const root = xml_document.RootElement();
+  if (const XMLElement* const found = root == nullptr ? nullptr : firstOfXacro(*root))
+    problems.add() << "line " << found->GetLineNum() << ": <" << found->Name()
+                   << "> is xacro, from which a URDF is still to be made: run 'xacro FILE > machine.urdf' and give its"
+                   << " output";
+  problems.throwIfAny();
+}
+
 /// The only element <robot>.
 const XMLElement& onlyRobot(const tinyxml2::XMLDocument& xml_document, Problems& problems)
 {
@@ -152,6 +174,7 @@ Document readDocument(const std::string& xml, Problems& problems)
   tinyxml2::XMLDocument xml_document;
   checkText(xml, problems);
   parse(xml, xml_document, problems);
+  checkXacro(xml_document, problems);
   const XMLElement& robot = onlyRobot(xml_document, problems);
 
   ElementPrinter printer(problems);

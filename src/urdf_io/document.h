@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "notice.h"
 #include "placement.h"
 #include "problems.h"
 
@@ -21,7 +22,7 @@ struct Document
   std::string elements;                   ///< the elements and attributes of the robot, nothing else: what urdfdom gets
   std::vector<std::string> joints;        ///< names in the order of the file
   std::map<std::string, Origin> origins;  ///< of each joint; urdfdom turns angles into quaternions, and rounds
-  std::vector<std::string> warnings;      ///< elements and attributes of joints that nobody reads
+  std::vector<Notice> warnings;           ///< elements and attributes of joints that nobody reads
 };
 
 /// Parses the text and checks what urdfdom accepts in silence (docs/urdf.md).

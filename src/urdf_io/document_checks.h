@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "element.h"
+#include "notice.h"
 #include "problems.h"
 
 namespace pkm_workspace
@@ -12,7 +13,7 @@ namespace pkm_workspace
 namespace urdf_io
 {
 /// Checks each <joint> by itself: its elements, numbers, limits and axis.
-void checkJoints(const XMLElement& robot, Problems& problems, std::vector<std::string>& warnings);
+void checkJoints(const XMLElement& robot, Problems& problems, std::vector<Notice>& warnings);
 
 /// Checks how links and joints hang together: names, parents, loops, whom a <mimic> follows.
 void checkStructure(const XMLElement& robot, Problems& problems);

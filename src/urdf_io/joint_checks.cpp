@@ -46,7 +46,7 @@ struct Place
   const char* unit() const { return isOf({ "prismatic" }) ? "m" : "rad"; }
 };
 
-void checkElements(const Place& place, std::vector<std::string>& warnings)
+void checkElements(const Place& place, std::vector<Notice>& warnings)
 {
   for (const auto& known : knownElements())
   {
@@ -54,15 +54,18 @@ void checkElements(const Place& place, std::vector<std::string>& warnings)
     if (count > 1)
       place.problem() << "<" << known.first << "> is given " << count << " times, expected once";
   }
-  const std::string joint = "joint '" + nameOf(place.joint) + "': ";
+  const std::string name = nameOf(place.joint);
+  const auto warn = [&](const std::string& sentence) {
+    warnings.push_back({ "joint '" + name + "': " + sentence, sentence, "", name });
+  };
   for (auto* child = place.joint.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
   {
     const auto known = knownElements().find(child->Name());
     if (known == knownElements().end())
-      warnings.push_back(joint + "<" + child->Name() + "> is no element of a joint and not used");
+      warn(std::string("<") + child->Name() + "> is no element of a joint and not used");
     for (auto* it = child->FirstAttribute(); it != nullptr && known != knownElements().end(); it = it->Next())
       if (std::find(known->second.begin(), known->second.end(), it->Name()) == known->second.end())
-        warnings.push_back(joint + "<" + child->Name() + " " + it->Name() + "> is no attribute of it and not used");
+        warn(std::string("<") + child->Name() + " " + it->Name() + "> is no attribute of it and not used");
   }
 }
 
@@ -137,7 +140,7 @@ void checkLimit(const Place& place)
 }
 }  // namespace
 
-void checkJoints(const XMLElement& robot, Problems& problems, std::vector<std::string>& warnings)
+void checkJoints(const XMLElement& robot, Problems& problems, std::vector<Notice>& warnings)
 {
   for (const auto* const joint : childrenOf(robot, "joint"))
   {

@@ -71,7 +71,7 @@ private:
 };
 
 /// The tree, or null with urdfdom's reasons in @p problems. What urdfdom says of a tree it accepts is a warning.
-urdf::ModelInterfaceSharedPtr parseTree(const std::string& xml, Problems& problems, std::vector<std::string>& warnings)
+urdf::ModelInterfaceSharedPtr parseTree(const std::string& xml, Problems& problems, std::vector<Notice>& warnings)
 {
   const Listening listening;
   urdf::ModelInterfaceSharedPtr tree;
@@ -86,7 +86,7 @@ urdf::ModelInterfaceSharedPtr parseTree(const std::string& xml, Problems& proble
   }
   for (const std::string& message : listening.messages())
     if (tree)
-      warnings.push_back("urdfdom: " + message);
+      warnings.push_back({ "urdfdom: " + message, "urdfdom: " + message, "", "" });
     else
       problems.add() << "urdfdom: " << message;
   if (!tree && listening.messages().empty())

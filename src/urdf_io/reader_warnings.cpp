@@ -14,65 +14,109 @@ constexpr double ROUNDING = 1e-9;
 /// Axes that are this near to perpendicular let a strut reach all directions but a few hundredths of a degree.
 constexpr double PERPENDICULAR = 1e-3;
 
-std::string nameOf(const urdf::Joint& joint)
-{
-  return "joint '" + joint.name + "': ";
-}
+/// Struts that are longer are hardly those of a machine [m].
+constexpr double LONGEST_STRUT = 20.0;
+
+using Notices = std::vector<Notice>;
 
 std::string rangeText(double lower, double upper, const char* unit)
 {
   return "[" + numberText(lower) + ", " + numberText(upper) + "] " + unit;
 }
 
-void warnOfSoftLimits(const urdf::Joint& joint, const char* unit, std::vector<std::string>& warnings)
+void warnOfSoftLimits(const urdf::Joint& joint, const char* unit, Notices& notices)
 {
-  if (joint.safety)
-    warnings.push_back(nameOf(joint) + "the soft limits " +
-                       rangeText(joint.safety->soft_lower_limit, joint.safety->soft_upper_limit, unit) +
-                       " of its <safety_controller> are not used");
+  if (!joint.safety)
+    return;
+  const std::string limits = rangeText(joint.safety->soft_lower_limit, joint.safety->soft_upper_limit, unit);
+  notices.push_back(
+      { "joint '" + joint.name + "': the soft limits " + limits + " of its <safety_controller> are not used",
+        "the soft limits of <safety_controller> are not used", limits, joint.name });
 }
 
-void warnOfHinge(const urdf::Joint& joint, std::vector<std::string>& warnings)
+void warnOfHinge(const urdf::Joint& joint, Notices& notices)
 {
   if (joint.type == urdf::Joint::REVOLUTE)
-    warnings.push_back(nameOf(joint) + "the limits " + rangeText(joint.limits->lower, joint.limits->upper, "rad") +
-                       " of this passive joint are not used");
-  warnOfSoftLimits(joint, "rad", warnings);
+  {
+    const std::string limits = rangeText(joint.limits->lower, joint.limits->upper, "rad");
+    notices.push_back({ "joint '" + joint.name + "': the limits " + limits + " of this passive joint are not used",
+                        "the limits of passive joints are not used", limits, joint.name });
+  }
+  warnOfSoftLimits(joint, "rad", notices);
 }
 
-void warnOfGeometry(const Rail& rail, const ClosedLeg& leg, std::vector<std::string>& warnings)
+void warnOfRail(const urdf::Joint& joint, Notices& notices)
 {
-  const std::string name = "leg of rail '" + rail.joint->name + "': ";
-  const double misfit = leg.geometry.misfit;
-  if (misfit > ROUNDING * leg.geometry.length.mid())
-    warnings.push_back(name + "the axes of passive joints meet only to " + roundedText(misfit, 3) +
-                       " m; the answers hold for every way to close this gap, and are coarser for it");
+  if (joint.limits->lower == joint.limits->upper)
+  {
+    const std::string remedy =
+        "; many exporters write 0 0 where no limits were set. Nothing can move within these joint limits: write the "
+        "real ones into the URDF, or leave joint limits out of the question";
+    const std::string value = numberText(joint.limits->lower) + " m";
+    notices.push_back({ "rail '" + joint.name + "' cannot move, its <limit> has lower = upper = " + value + remedy,
+                        "rails cannot move, their <limit> has lower = upper" + remedy, value, joint.name });
+  }
+  warnOfSoftLimits(joint, "m", notices);
+}
+
+/// A machine of such a size is possible, and answered.
+void warnOfSize(const std::array<Rail, 3>& rails, const std::array<ClosedLeg, 3>& legs, Notices& notices)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+    if (legs[i].geometry.length.lower() > LONGEST_STRUT)
+    {
+      const std::string length = roundedText(legs[i].geometry.length.mid(), 4) + " m";
+      const std::string remedy =
+          ": is the URDF in millimetres? Its lengths are metres; if it is, multiply those of all origins, limits and "
+          "shapes by 0.001";
+      notices.push_back({ "leg of rail '" + rails[i].joint->name + "': the strut is " + length + " long" + remedy,
+                          "the struts are very long" + remedy, length, rails[i].joint->name });
+    }
+}
+
+void warnOfGeometry(const Rail& rail, const ClosedLeg& leg, Notices& notices)
+{
+  const std::string& rail_name = rail.joint->name;
+  const auto warn = [&](const std::string& one, const std::string& kind, const std::string& value) {
+    notices.push_back({ "leg of rail '" + rail_name + "': " + one, kind, value, rail_name });
+  };
+  const std::string misfit = roundedText(leg.geometry.misfit, 3) + " m";
+  const std::string coarser = "; the answers hold for every way to close this gap, and are coarser for it";
+  if (leg.geometry.misfit > ROUNDING * leg.geometry.length.mid())
+    warn("the axes of passive joints meet only to " + misfit + coarser,
+         "the axes of passive joints meet only nearly" + coarser, misfit);
+  const std::string turn = roundedText(leg.tcp.turn, 3) + " rad";
+  const std::string all = "; the answers hold for all of it, and are coarser for it";
   if (leg.tcp.turn > ROUNDING)
-    warnings.push_back(name + "the wrist may turn the platform by up to " + roundedText(leg.tcp.turn, 3) +
-                       " rad; the answers hold for all of it, and are coarser for it");
+    warn("the wrist may turn the platform by up to " + turn + all, "wrists may turn the platform" + all,
+         "up to " + turn);
   const HingePair pair = bestPair(leg.tcp.at_slider, leg.geometry.strut);
   if (pair.defect > PERPENDICULAR)
-    warnings.push_back(
-        name + "the passive joints '" + leg.tcp.at_slider[pair.first].joint + "' and '" +
-        leg.tcp.at_slider[pair.second].joint +
-        "' cannot turn the strut in every direction: the second axis is not perpendicular to the first and"
-        " to the strut; this limit is not used");
+  {
+    const std::string joints =
+        "'" + leg.tcp.at_slider[pair.first].joint + "' and '" + leg.tcp.at_slider[pair.second].joint + "'";
+    const std::string why =
+        " cannot turn the strut in every direction: the second axis is not perpendicular to the first and to the "
+        "strut; this limit is not used";
+    warn("the passive joints " + joints + why, "pairs of passive joints" + why, joints);
+  }
 }
 }  // namespace
 
 std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail, 3>& rails,
                                        const std::array<ClosedLeg, 3>& legs)
 {
-  std::vector<std::string> warnings = model.document.warnings;
+  Notices notices = model.document.warnings;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    warnOfSoftLimits(*rails[i].joint, "m", warnings);
+    warnOfRail(*rails[i].joint, notices);
     for (const auto* const hinges : { &legs[i].tcp.at_slider, &legs[i].tcp.wrist })
       for (const Hinge& hinge : *hinges)
-        warnOfHinge(model.joint(hinge.joint), warnings);
-    warnOfGeometry(rails[i], legs[i], warnings);
+        warnOfHinge(model.joint(hinge.joint), notices);
+    warnOfGeometry(rails[i], legs[i], notices);
   }
-  return warnings;
+  warnOfSize(rails, legs, notices);
+  return sentencesOf(notices);
 }
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -11,8 +11,9 @@ namespace pkm_workspace
 {
 namespace urdf_io
 {
-/// Names what the URDF says and the machine does not hold: limits of passive joints, soft limits, axes that fit only
-/// nearly, unknown elements.
+/// Names what the URDF says and the machine does not hold (limits of passive joints, soft limits, axes that fit only
+/// nearly, unknown elements), and what is hardly meant: rails that cannot move, lengths in millimetres. One sentence
+/// for each kind.
 std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail, 3>& rails,
                                        const std::array<ClosedLeg, 3>& legs);
 }  // namespace urdf_io

@@ -56,7 +56,7 @@ struct UrdfMachine
   std::array<std::string, 3> tcp_links;     ///< frames of the tool point, one for each leg
   std::array<StrutHinges, 3> hinges;        ///< for jointValues()
   std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
-  std::vector<std::string> warnings;        ///< what is in the URDF and not used
+  std::vector<std::string> warnings;        ///< what is in the URDF and not used, or hardly meant
   std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
 };
 
