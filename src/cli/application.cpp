@@ -105,7 +105,7 @@ void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out
   options.parse(words);
   for (const std::string& warning : command->warnings())
     err << "pkm: warning: " << warning << std::endl;
-  const Answer answer = command->answer();
+  const Answer answer = withRemedy(command->remedy(), [&command] { return command->answer(); });
   out << (json ? answer.json.dump(2) + "\n" : answer.text);
 }
 

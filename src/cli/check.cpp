@@ -76,6 +76,8 @@ public:
     json["sides"] = toJson(*sides_);
     json["bad_point"] = result.bad_point ? toJson(*result.bad_point) : Json();
     json["boxes"] = result.boxes;
+    if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
+      json["beyond_limits"] = toJson(machine, beyondLimits(machine, reach()));
     json["message"] = message(result);
     return { json, print(result) };
   }
@@ -94,7 +96,7 @@ private:
     json["sides"] = toJson(*sides_);
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
                              ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + ".";
-    return { json, wrapped(text) + wrapped(definition(criterion_)) };
+    return { json, wrapped(text) + wrapped(definition(machine_.machine(), criterion_)) };
   }
 
   void setShape(Problems& problems)
@@ -112,16 +114,22 @@ private:
       }
   }
 
+  /// @pre the box is inside
+  JointReaches reach() const { return reachOver(machine_.machine(), *shape_, *center_, 1.0); }
+
   std::string message(const ContainmentResult& result) const
   {
     if (result.verdict == Containment::INSIDE)
-      return "Proved: every point of the box is " + cli::name(criterion_.set) + ".";
+    {
+      const std::string remark = criterion_.joint_limits ? "" : remarkOnLimits(machine_.machine(), criterion_, reach());
+      return "Proved: every point of the box is " + quality(criterion_) + "." + (remark.empty() ? "" : " ") + remark;
+    }
     if (result.verdict == Containment::UNDECIDED)
       return "Neither is proved: the border of the set is within rounding of the box, or " +
              std::to_string(max_boxes_) + " boxes (--max-boxes) were not enough.";
     const Machine& machine = machine_.machine();
     const Words reasons = violations(evaluatePoint(machine, criterion_, *result.bad_point), machine);
-    return "Proved: the bad point lies in the box and is not " + cli::name(criterion_.set) +
+    return "Proved: the bad point lies in the box and is not " + quality(criterion_) +
            std::string(reasons.empty() ? "" : ": ") + joined(reasons, "; ") + ".";
   }
 
@@ -133,7 +141,7 @@ private:
     rows.push_back({ "effort", std::to_string(result.boxes) + " boxes" });
     return "Box of machine '" + machine_.machine().name() + "' with center " + describe(*center_) + " and sides " +
            describe(*sides_) + "\n\n" + aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
-           wrapped(definition(criterion_));
+           wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;

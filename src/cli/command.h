@@ -6,6 +6,7 @@
 #include <string>
 
 #include "options.h"
+#include "pkm_workspace/dexterity/unbounded.h"
 
 namespace pkm_workspace
 {
@@ -30,6 +31,8 @@ public:
   virtual void declare(Options& options) = 0;
   /// What in the input is not used, for standard error. @pre the options have been parsed
   virtual Words warnings() const { return {}; }
+  /// What its options can do about a question without a bounded answer.
+  virtual Remedy remedy() const { return { "--joint-limits on", "" }; }
   /// @pre the options have been parsed @throws std::invalid_argument when the question has no answer
   virtual Answer answer() = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common_options.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace pkm_workspace
@@ -94,11 +95,29 @@ void ShapeOptions::declare(Options& options, RegionQuery& query)
   });
 }
 
+void AspectOption::declare(Options& options, Criterion::Aspect& aspect, const std::string& help)
+{
+  using Aspect = Criterion::Aspect;
+  name_ = name(aspect);
+  options.choice("aspect", name_, { name(Aspect::OWN), name(Aspect::OTHER), name(Aspect::BOTH) }, help);
+  options.check({ "aspect" }, [this, &aspect](Problems&) {
+    for (const Aspect one : { Aspect::OWN, Aspect::OTHER, Aspect::BOTH })
+      aspect = name_ == name(one) ? one : aspect;
+  });
+}
+
+const Words CriterionOptions::NAMES = { "set",       "aspect",    "psi-min",   "psi-max",
+                                        "force-min", "force-max", "kappa-max", "joint-limits" };
+
 void CriterionOptions::declare(Options& options, Criterion& criterion)
 {
+  criterion = defaultCriterion();
   options.choice("set", set_, { "dextrous", "reachable" },
                  "what is asked of every point: bounded velocity transmission factors, or the struts' reach only; with "
                  "all that is given below");
+  aspect_.declare(
+      options, criterion.aspect,
+      "sign of det A at the points that count: that of the machine's zero configuration, the other, or any");
   options.number("psi-min", criterion.psi_min, NUMBER_POSITIVE, "least velocity transmission factor that is allowed");
   options.number("psi-max", criterion.psi_max, NUMBER_POSITIVE, "largest velocity transmission factor that is allowed");
   options.number("force-min", criterion.force_min, NUMBER_POSITIVE,
@@ -114,7 +133,19 @@ void CriterionOptions::declare(Options& options, Criterion& criterion)
       problems.push_back("a reachable set has no bounds of velocity transmission factors: leave them out");
   });
   options.check({ "psi-min", "psi-max", "force-min", "force-max", "kappa-max" },
-                [&criterion](Problems& problems) { criterion.validate(problems); });
+                [&criterion, &options](Problems& problems) {
+                  const Origin origin = [&options](std::string name) {
+                    std::replace(name.begin(), name.end(), '_', '-');
+                    return options.given(name) ? "" : "the default";
+                  };
+                  validateCriterion(criterion, origin, problems);
+                });
+}
+
+void AccuracyOption::declare(Options& options, const std::string& help)
+{
+  options.number("accuracy", accuracy_, LENGTH_POSITIVE,
+                 help + "; without it, a thousandth of the longest strut, to one digit");
 }
 
 void declareBudget(Options& options, Budget& budget)
@@ -130,7 +161,7 @@ void declareMemory(Options& options, std::int64_t& max_memory)
 {
   constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
   options.count("max-memory", max_memory, MOST_BYTES,
-                "bytes that boxes may take before it ends with the best proved so far; without it, no limit");
+                "bytes that boxes may take before it ends with the best proved so far");
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "options.h"
+#include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
@@ -67,15 +69,43 @@ private:
   std::optional<RatioRange> ratio_;
 };
 
-/// --set, --psi-min, --psi-max, --force-min, --force-max, --kappa-max, --joint-limits.
+/// --aspect: own, other or both.
+class AspectOption
+{
+public:
+  /// Sets the aspect; what it is then is the default.
+  void declare(Options& options, Criterion::Aspect& aspect, const std::string& help);
+
+private:
+  std::string name_;
+};
+
+/// --set, --aspect, --psi-min, --psi-max, --force-min, --force-max, --kappa-max, --joint-limits.
 class CriterionOptions
 {
 public:
-  /// Sets the criterion, all but its aspect.
+  /// Their names.
+  static const Words NAMES;
+
+  /// Sets the criterion.
   void declare(Options& options, Criterion& criterion);
 
 private:
   std::string set_ = "dextrous";
+  AspectOption aspect_;
+};
+
+/// --accuracy of a size.
+class AccuracyOption
+{
+public:
+  void declare(Options& options, const std::string& help);
+  /// What was asked for, or the default for the machine [m].
+  double valueFor(const Machine& machine) const { return accuracy_ ? *accuracy_ : defaultAccuracy(machine); }
+  const std::optional<double>& given() const { return accuracy_; }
+
+private:
+  std::optional<double> accuracy_;
 };
 
 constexpr const char* MULTI_PRECISION_HELP = "goes on in 50 digits where doubles leave something undecided";
@@ -84,7 +114,7 @@ constexpr std::int64_t MOST_BOXES = 1000000000000;
 
 /// --time-limit, --max-boxes, --threads.
 void declareBudget(Options& options, Budget& budget);
-/// --max-memory.
+/// --max-memory; what it is then is the default.
 void declareMemory(Options& options, std::int64_t& max_memory);
 }  // namespace cli
 }  // namespace pkm_workspace

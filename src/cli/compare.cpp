@@ -6,6 +6,7 @@
 #include "common_options.h"
 #include "comparison.h"
 #include "paper_tables.h"
+#include "pkm_workspace/machine/catalogue.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -39,6 +40,8 @@ Json jsonOf(const Comparison& study)
                                      { "lower", study.ranges.outer[i].lower() },
                                      { "upper", study.ranges.outer[i].upper() },
                                      { "inner", toJson(study.ranges.inner[i]) } });
+  if (found && !study.query.criterion.joint_limits)
+    json["beyond_limits"] = toJson(study.machine, beyondLimits(study.machine, reachOver(study.region.joint_ranges)));
   for (const Figure& figure : figuresOf(study))
   {
     json["figures"][figure.key] = toJson(figure.value);
@@ -93,13 +96,21 @@ std::string singularities(const std::vector<Comparison>& studies)
   return aligned(rows, Align::LEFT);
 }
 
+/// What the region means for the machine's limits.
+std::string limitsOf(const Comparison& study)
+{
+  const bool found = study.region.size > 0.0;
+  return found ? remarkOnLimits(study.machine, study.query.criterion, reachOver(study.region.joint_ranges)) : "";
+}
+
 class Compare : public Command
 {
 public:
   std::string description() const override
   {
     return "Compares machines by the largest region of a shape in which every point is dextrous, as the paper does: "
-           "its size, what the joints have to travel for it, the volume that can be reached with these strokes, and "
+           "its size, what the joints have to travel for it, the volume that can be reached with these strokes in the "
+           "region's aspect, and "
            "the singularities in both; every number as a proved bracket, also scaled to a region of size 1. The "
            "strokes are equal: each begins at the least value of its own joint and has the largest length of the "
            "three. With --paper, the figures of the paper beside ours.";
@@ -117,8 +128,8 @@ public:
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
     shape_.declare(options, query_);
     criterion_options_.declare(options, query_.criterion);
-    options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
-                   "largest difference between the proved size and its upper bound");
+    accuracy_.declare(options, "largest difference between the proved size and its upper bound");
+    options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     declareBudget(options, query_.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
     options.check({ "urdf", "paper" }, [this](Problems& problems) {
@@ -126,10 +137,11 @@ public:
         problems.push_back("give either --urdf FILE, once for each machine, or --paper");
     });
     options.check({ "paper" }, [this, &options](Problems& problems) {
-      for (const char* name : { "shape", "proportions", "ratio", "set", "psi-min", "psi-max", "force-min", "force-max",
-                                "kappa-max", "joint-limits" })
+      Words fixed = CriterionOptions::NAMES;
+      fixed.insert(fixed.end(), { "shape", "proportions", "ratio", "multi-precision" });
+      for (const std::string& name : fixed)
         if (paper_ && options.given(name))
-          problems.push_back("with --paper, all of this is as in the paper: leave out --" + std::string(name));
+          problems.push_back("with --paper, all of this is as in the paper: leave out --" + name);
     });
   }
 
@@ -137,6 +149,7 @@ public:
 
   Answer answer() override
   {
+    query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     Progress progress(progress_);
     const auto begin = std::chrono::steady_clock::now();
@@ -155,23 +168,24 @@ private:
     std::string regions;
     for (const UrdfMachine& urdf : machines_.machines())
     {
+      query_.accuracy = accuracy_.valueFor(urdf.machine);
       studies.push_back(comparisonOf(urdf.machine, query_, VOLUME_ACCURACY, tell));
       json["machines"].push_back(jsonOf(studies.back()));
       regions += wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() +
-                         "': " + studies.back().region.message);
+                         "': " + studies.back().region.message + ". " + limitsOf(studies.back()));
     }
     return { json, regions + "\n" + table(studies) + "\n" + singularities(studies) + "\n" +
                        wrapped("The strokes are equalised: each begins at the least value of its own joint over the "
                                "region and has the largest length of the three. Singularities within the strokes are "
                                "looked for in both aspects.") +
-                       wrapped(definition(query_.criterion)) };
+                       wrapped(definition(machines_.machines().front().machine, query_.criterion)) };
   }
 
   Answer answerPaper(const Tell& tell)
   {
-    Json json = { { "rows", Json::array() } };
+    Json json = { { "rows", Json::array() }, { "joint_limits", false } };
     std::vector<Words> lines = { { "place", "what", "paper", "ours", "the paper's" } };
-    for (const PaperRow& row : paperRows(query_.accuracy, query_.budget, tell))
+    for (const PaperRow& row : paperRows(accuracy_.valueFor(orthoglide()), query_.budget, tell))
     {
       json["rows"].push_back(jsonOf(row));
       lines.push_back({ row.place, row.what, row.paper, row.ours, row.holds ? *row.holds ? "holds" : "fails" : "-" });
@@ -179,15 +193,17 @@ private:
     return { json, aligned(lines, Align::LEFT) + "\n" +
                        wrapped("A figure of the paper holds when it differs from ours by no more than one unit of the "
                                "last digit that is printed. Strokes, volumes and ratios are those of our largest "
-                               "regions.") };
+                               "regions. Joint limits are off, as in the paper.") };
   }
 
   MachinesOptions machines_;
   bool paper_ = false;
+  bool multi_precision_ = false;
   bool progress_ = false;
   RegionQuery query_;
   CriterionOptions criterion_options_;
   ShapeOptions shape_;
+  AccuracyOption accuracy_;
 };
 }  // namespace
 

@@ -36,16 +36,24 @@ public:
     machine_.declare(options);
     region_.declare(options);
     criterion_options_.declare(options, criterion_);
+    options.check({ "center", "size" }, [this, &options](Problems& problems) {
+      for (const std::string& name : CriterionOptions::NAMES)
+        if (region_.given() && options.given(name))
+          problems.push_back("all points of a region count: leave out --" + name);
+    });
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
     declareBudget(options, query_.budget);
+    query_.max_memory = DEFAULT_MEMORY;
     declareMemory(options, query_.max_memory);
     options.check({ "max-memory" }, [this](Problems& problems) {
-      if (query_.max_memory != 0 && query_.max_memory < ConditioningQuery::LEAST_MEMORY)
+      if (query_.max_memory < ConditioningQuery::LEAST_MEMORY)
         problems.push_back("must be at least " + std::to_string(ConditioningQuery::LEAST_MEMORY) + " bytes");
     });
   }
 
   Words warnings() const override { return machine_.warnings(); }
+
+  Remedy remedy() const override { return { "--joint-limits on", REGION_REMEDY }; }
 
   Answer answer() override
   {
@@ -75,7 +83,7 @@ private:
                                                              over },
                                       { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
     return aligned(rows, Align::LEFT) + wrapped(remarkOn(found)) +
-           (region_.given() ? "" : "\n" + wrapped(definition(criterion_)));
+           (region_.given() ? "" : "\n" + wrapped(definition(machine_.machine(), criterion_)));
   }
 
   MachineOptions machine_;

@@ -134,16 +134,27 @@ private:
     const PointEvaluation there = evaluatePoint(machine, criterion_, point);
     Json json = numbersOf(machine, point);
     json["point"] = toJson(point);
-    json["reachable"] = toJson(there.reachable);
+    json["within_reach"] = toJson(there.within_reach);
     json["satisfies"] = toJson(there.verdict);
     if (criterion_.set == Criterion::Set::DEXTROUS)
       json["dextrous"] = json["satisfies"];
-    json["aspect_ok"] = there.reachable == BoxVerdict::OUTSIDE ? Json() : toJson(ownAspect(machine, there));
+    json["aspect_ok"] = there.within_reach == BoxVerdict::OUTSIDE ? Json() : toJson(ownAspect(machine, there));
     json["psi_bounds"] = there.has_values ? toJson(there.psi) : Json();
     json["rho_bounds"] = there.has_values ? toJson(there.rho) : Json();
     json["binding"] = toJson(machine, there.binding());
-    json["message"] = message(machine, there, name(criterion_.set));
+    json["message"] = message(machine, there, quality(criterion_));
+    if (there.verdict == BoxVerdict::INSIDE && !criterion_.joint_limits)
+      addLimits(there, json);
     return json;
+  }
+
+  void addLimits(const PointEvaluation& there, Json& json) const
+  {
+    const Machine& machine = machine_.machine();
+    const JointReaches reaches = reachAt(there.rho);
+    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
+    json["beyond_limits"] = toJson(machine, beyondLimits(machine, reaches));
+    json["message"] = json["message"].get<std::string>() + (remark.empty() ? "" : " ") + remark;
   }
 
   std::string table(const Json& points) const
@@ -159,14 +170,13 @@ private:
       row.push_back(state["satisfies"].is_null() ? "undecided" : state["satisfies"] ? "yes" : "no");
       rows.push_back(row);
     }
-    return aligned(rows, Align::RIGHT) + "\n" + wrapped(definition(criterion_));
+    return aligned(rows, Align::RIGHT) + "\n" + wrapped(definition(machine_.machine(), criterion_));
   }
 
   std::string print(const Json& json) const
   {
-    std::vector<Words> rows = { { "reachable", verdictText(json["reachable"]) },
-                                { criterion_.set == Criterion::Set::DEXTROUS ? "dextrous" : "satisfies",
-                                  verdictText(json["satisfies"]) } };
+    std::vector<Words> rows = { { "within reach", verdictText(json["within_reach"]) },
+                                { name(criterion_.set), verdictText(json["satisfies"]) } };
     const auto add = [&](const char* label, const char* key, const std::string& unit) {
       if (!json[key].is_null())
         rows.push_back({ label, text(json[key], unit) });
@@ -181,7 +191,8 @@ private:
     rows.push_back(
         { "binding", bindingText(json["binding"]) + "   (margin " + nearly(json["binding"]["margin"]) + ")" });
     return "Machine '" + machine_.machine().name() + "' at the tool point " + describe(*point_) + "\n\n" +
-           aligned(rows, Align::LEFT) + "\n" + wrapped(json["message"]) + wrapped(definition(criterion_));
+           aligned(rows, Align::LEFT) + "\n" + wrapped(json["message"]) +
+           wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;

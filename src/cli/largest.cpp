@@ -28,6 +28,8 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["size"] = region.size;
   json["size_upper_bound"] = region.size_upper_bound;
   json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
+  if (found && !query.criterion.joint_limits)
+    json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOver(region.joint_ranges)));
   json["boxes"] = region.boxes;
   json["verification_boxes"] = region.verification_boxes;
   json["seconds"] = region.seconds;
@@ -72,7 +74,7 @@ public:
   {
     return { "pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4",
              "pkm largest --urdf uranesx.urdf --shape square",
-             "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits on --json" };
+             "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits off --json" };
   }
 
   void declare(Options& options) override
@@ -80,8 +82,7 @@ public:
     machine_.declare(options);
     shape_.declare(options, query_);
     criterion_options_.declare(options, query_.criterion);
-    options.number("accuracy", query_.accuracy, LENGTH_POSITIVE,
-                   "largest difference between the proved size and its upper bound (of a box: in factors)");
+    accuracy_.declare(options, "largest difference between the proved size and its upper bound (of a box: in factors)");
     options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
     options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
@@ -95,10 +96,13 @@ public:
 
   Words warnings() const override { return machine_.warnings(); }
 
+  Remedy remedy() const override { return { "--joint-limits on", "a --search-box within 1000 struts" }; }
+
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
     Progress progress(progress_);
+    query_.accuracy = accuracy_.valueFor(machine);
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     query_.progress = [&progress](const RegionProgress& state) {
@@ -133,7 +137,10 @@ private:
     text += aligned(rows, Align::LEFT) + "\n";
     if (region.size > 0.0)
       text += table(machine_.machine(), region.joint_ranges, decimals) + "\n";
-    return text + wrapped(proof(region, decimals)) + wrapped(definition(query_.criterion));
+    return text + wrapped(proof(region, decimals)) + wrapped(definition(machine_.machine(), query_.criterion)) +
+           wrapped(region.size > 0.0
+                       ? remarkOnLimits(machine_.machine(), query_.criterion, reachOver(region.joint_ranges))
+                       : "");
   }
 
   static std::string dimensions(const Shape& shape, double size, int decimals)
@@ -151,15 +158,16 @@ private:
                               : query_.search_box ? "with its center in the search box"
                                                   : "wherever its center";
     const std::string first =
-        "every point of the " + shape + " with this center and size is " + name(query_.criterion.set) + "; ";
+        "every point of the " + shape + " with this center and size is " + quality(query_.criterion) + "; ";
     const bool slides = slidesAlongRails(machine_.machine(), query_.criterion);
     return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
            roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points " +
-           name(query_.criterion.set) + "." + (slides ? " The rails are parallel: the same holds all along them." : "");
+           quality(query_.criterion) + "." + (slides ? " The rails are parallel: the same holds all along them." : "");
   }
 
   MachineOptions machine_;
   RegionQuery query_;
+  AccuracyOption accuracy_;
   bool progress_ = false;
   bool multi_precision_ = false;
   CriterionOptions criterion_options_;

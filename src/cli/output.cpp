@@ -18,8 +18,9 @@ Json contextOf(const Machine& machine, const Criterion& criterion)
   Json json = { { "machine", machine.name() },
                 { "geometry_hash", machine.geometryHash() },
                 { "version", version() },
-                { "joint_limits", criterion.joint_limits } };
+                { "joint_limits", criterion.joint_limits && machine.hasJointLimits() } };
   json["set"] = name(criterion.set);
+  json["aspect"] = pkm_workspace::name(criterion.aspect);
   if (criterion.set == Criterion::Set::DEXTROUS)
   {
     json["psi_min"] = criterion.psi_min;
@@ -105,6 +106,16 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
   return json;
 }
 
+Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond)
+{
+  Json json = Json::array();
+  for (const BeyondLimit& one : beyond)
+    json.push_back({ { "joint", machine.leg(one.leg).joint },
+                     { "limit", one.is_upper ? "upper" : "lower" },
+                     { "by", toJson(one.by) } });
+  return json;
+}
+
 bool isSolid(const Shape& shape)
 {
   return (shape.halfExtents().array() > 0.0).all();
@@ -120,20 +131,27 @@ std::string name(Containment verdict)
   return verdict == Containment::INSIDE ? "inside" : verdict == Containment::OUTSIDE ? "outside" : "undecided";
 }
 
-std::string definition(const Criterion& criterion)
+std::string definition(const Machine& machine, const Criterion& criterion)
 {
-  std::string text = "Reachable: within reach of all three struts";
-  if (criterion.set == Criterion::Set::DEXTROUS)
-    text =
-        "Dextrous: reachable in the machine's own working mode and aspect, with all velocity transmission factors in "
-        "[" +
-        exact(criterion.psi_min) + ", " + exact(criterion.psi_max) + "]";
+  using Aspect = Criterion::Aspect;
+  const bool is_dextrous = criterion.set == Criterion::Set::DEXTROUS;
+  std::string text = is_dextrous ? "Dextrous: reachable" : "Reachable: within reach of all three struts";
+  text += " in the machine's own working mode, ";
+  text += criterion.aspect == Aspect::BOTH
+              ? "in either aspect (any sign of det A)"
+              : "in its " + pkm_workspace::name(criterion.aspect) + " aspect (the sign of det A " +
+                    (criterion.aspect == Aspect::OWN ? "" : "opposite to that ") + "at the zero configuration)";
+  if (is_dextrous)
+    text += ", with all velocity transmission factors in [" + exact(criterion.psi_min) + ", " +
+            exact(criterion.psi_max) + "]";
   if (criterion.force_min > 0.0)
     text += ", with force transmission factors of at least " + exact(criterion.force_min);
   if (criterion.force_max > 0.0)
     text += ", with force transmission factors of at most " + exact(criterion.force_max);
   if (criterion.kappa_max > 0.0)
     text += ", with a condition number of J of at most " + exact(criterion.kappa_max);
+  if (!machine.hasJointLimits())
+    return text + "; the machine has no joint limits.";
   return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");
 }
 
@@ -150,6 +168,8 @@ std::string describe(const Eigen::Vector3d& v)
 std::string wrapped(const std::string& text)
 {
   constexpr std::size_t COLUMNS = 100;
+  if (text.empty())
+    return "";
   std::string lines;
   std::size_t column = 0;
   std::istringstream words(text);

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "values.h"
@@ -45,13 +47,15 @@ std::string name(Containment verdict);
 /// "proven", "stopped" or "none".
 std::string name(LargestRegion::Status status);
 /// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".
-std::string definition(const Criterion& criterion);
+std::string definition(const Machine& machine, const Criterion& criterion);
+/// One object for each end of the limits that is passed where they are not asked for: joint, limit and by, how far.
+Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond);
 /// "0.0123 s".
 std::string seconds(double value);
 /// "(x, y, z) m" with every digit.
 std::string describe(const Eigen::Vector3d& v);
 
-/// The words of a text in lines of at most 100 columns.
+/// The words of a text in lines of at most 100 columns; nothing of none.
 std::string wrapped(const std::string& text);
 
 /// Lines of cells in columns; the first column is aligned to the left, the others as told.

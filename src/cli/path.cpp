@@ -81,6 +81,8 @@ public:
     json["segments"] = Json::array();
     for (std::size_t i = 0; i < result.segments.size(); ++i)
       json["segments"].push_back(segmentOf(result.segments[i], path_.places()[i]));
+    if (result.motion && !criterion_.joint_limits)
+      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOf(result)));
     json["message"] = message(result);
     return { json, print(result) };
   }
@@ -119,9 +121,21 @@ private:
     return json;
   }
 
+  JointReaches reachOf(const PathResult& result) const
+  {
+    PathReach reach(machine_.machine());
+    for (const PathSegment& segment : path_.segments())
+      reach.add(segment);
+    return reach.over(*result.motion);
+  }
+
   std::string message(const PathResult& result) const
   {
-    return describe(result, machine_.machine(), [this](std::size_t segment) { return path_.places()[segment]; });
+    std::string text =
+        describe(result, machine_.machine(), [this](std::size_t segment) { return path_.places()[segment]; });
+    if (result.motion && !criterion_.joint_limits)
+      text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reachOf(result)));
+    return text;
   }
 
   std::string print(const PathResult& result) const
@@ -139,7 +153,7 @@ private:
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
     return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(result.segments.size()) +
            " segments\n\n" + aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
-           wrapped(definition(criterion_));
+           wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;

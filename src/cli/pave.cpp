@@ -27,13 +27,13 @@ public:
   {
     return "Approximates the dextrous or the reachable set by boxes: boxes inside are proved to belong to it, "
            "boxes at the border are undecided at the resolution, and all else is proved not to belong to it. "
-           "The volume of the set is proved to lie between two numbers; it is told for the machine's own aspect "
-           "(sign of det A) and for the other one, too, in runs of their own that share the limits of time and "
-           "memory. Where nothing changes along the rails, without a box, it is the area of the section across "
+           "The volume of the set is proved to lie between two numbers; it is told for the aspect "
+           "(sign of det A) that is asked for, and for each aspect, in runs of their own that share the limits of time "
+           "and memory. Where nothing changes along the rails, without a box, it is the area of the section across "
            "them that is told. Ctrl-C ends it with what is proved. "
            "With --json: volume_lower and volume_upper [m^3] (area_lower and area_upper [m^2] where dimension is 2) of "
-           "the dextrous set in the machine's own aspect, or of the reachable set in both, and of each aspect in "
-           "own_aspect and other_aspect; of that first set resolution [m], box [m], and boxes, boxes_here (looked at "
+           "the set in the aspect that is asked for, and of each aspect in "
+           "own_aspect and other_aspect; of the first resolution [m], box [m], and boxes, boxes_here (looked at "
            "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending. "
            "With --list-boxes, listed: inside and undecided, each a list of boxes x0, x1, y0, y1, z0, z1 [m].";
   }
@@ -42,38 +42,44 @@ public:
   {
     return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05 --save paving.pkm",
              "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.02 --resume paving.pkm",
-             "pkm pave --urdf uranesx.urdf --resolution 0.01",
-             "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1 --joint-limits on" };
+             "pkm pave --urdf uranesx.urdf --joint-limits off --resolution 0.01",
+             "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1" };
   }
 
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.number("resolution", query_.resolution, LENGTH_POSITIVE,
-                   "boxes no wider than this are not divided further");
+    options.number("resolution", resolution_, LENGTH_POSITIVE,
+                   "boxes no wider than this are not divided further; without it, a twentieth of the longest strut, "
+                   "for a flat box a fortieth");
     options.box("box", query_.box,
                 "what to look at; without it, the whole workspace, or its section through the zero configuration "
                 "where nothing changes along the rails");
     criterion_options_.declare(options, query_.criterion);
     declareBudget(options, query_.budget);
+    query_.max_memory = DEFAULT_MEMORY;
     declareMemory(options, query_.max_memory);
     options.text("save", save_, "FILE", "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
         "the answer is what a new run gives");
-    options.count("list-boxes", list_boxes_, MOST_LISTED,
-                  "with --json, lists the boxes of the machine's own aspect, at most so many: where there are more, "
-                  "larger ones, of which more are undecided");
+    options.count(
+        "list-boxes", list_boxes_, MOST_LISTED,
+        "with --json, lists the boxes of the aspect that is asked for, at most so many: where there are more, "
+        "larger ones, of which more are undecided");
     options.flag("progress", progress_, PROGRESS_HELP);
     declareConditions(options);
   }
 
   Words warnings() const override { return machine_.warnings(); }
 
+  Remedy remedy() const override { return { "--joint-limits on", "a --box" }; }
+
   Answer answer() override
   {
     query_.budget.stop = stopOnSignal();
+    query_.resolution = resolution_ ? *resolution_ : defaultResolution(machine_.machine(), boxFor(query_));
     const std::vector<PavingQuery> queries = this->queries();
     std::vector<Paving> earlier;
     if (!resume_.empty())
@@ -87,14 +93,14 @@ public:
     }
     if (!save_.empty())
       savePavings(save_, pavings);
-    return answerOf(machine_.machine(), { pavings, sizes, isSection(), list_boxes_ });
+    return answerOf(machine_.machine(), { pavings, sizes, asked(), isSection(), list_boxes_ });
   }
 
 private:
   void declareConditions(Options& options)
   {
     options.check({ "max-memory" }, [this](Problems& problems) {
-      if (query_.max_memory != 0 && shared(query_.max_memory) < PavingQuery::LEAST_MEMORY)
+      if (shared(query_.max_memory) < PavingQuery::LEAST_MEMORY)
         problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
                            std::to_string(PavingQuery::LEAST_MEMORY) + " bytes each");
     });
@@ -111,14 +117,17 @@ private:
     });
   }
 
-  /// What is told of each set: first the set itself, then its part in each aspect.
+  /// What is told of: each aspect at the end, both of them before where that is asked for.
   std::vector<Criterion::Aspect> aspects() const
   {
     using Aspect = Criterion::Aspect;
-    if (query_.criterion.set == Criterion::Set::REACHABLE)
+    if (query_.criterion.aspect == Aspect::BOTH)
       return { Aspect::BOTH, Aspect::OWN, Aspect::OTHER };
     return { Aspect::OWN, Aspect::OTHER };
   }
+
+  /// Which of these is asked for.
+  std::size_t asked() const { return query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0; }
 
   template <class Number>
   Number shared(Number limit) const
@@ -142,10 +151,15 @@ private:
     return queries;
   }
 
+  Box boxFor(const PavingQuery& query) const
+  {
+    return query.box ? *query.box : defaultBox(machine_.machine(), query.criterion);
+  }
+
   Paving run(PavingQuery query, const Paving* earlier) const
   {
     Progress progress(progress_);
-    const Measure measure(query.box ? *query.box : defaultBox(machine_.machine(), query.criterion));
+    const Measure measure(boxFor(query));
     query.progress = [&progress, &measure](const PavingProgress& state) {
       progress.tell(state.seconds, measure.name + " inside " + nearly(state.volume_inside) + measure.unit +
                                        ", undecided " + nearly(state.volume_boundary) + measure.unit + ", " +
@@ -169,6 +183,7 @@ private:
 
   MachineOptions machine_;
   PavingQuery query_;
+  std::optional<double> resolution_;
   bool progress_ = false;
   CriterionOptions criterion_options_;
   std::string save_;

@@ -76,13 +76,12 @@ Json listOf(const BoxTree& tree, std::int64_t most)
 Json toJson(const Machine& machine, const Paved& paved)
 {
   const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings.front();
+  const Paving& whole = pavings[paved.asked];
   Json json = contextOf(machine, whole.criterion);
-  json.update(bracketOf(paved, 0));
+  json.update(bracketOf(paved, paved.asked));
   json["own_aspect"] = bracketOf(paved, pavings.size() - 2);
   json["other_aspect"] = bracketOf(paved, pavings.size() - 1);
   json["dimension"] = Measure(whole.box).dimension;
-  json["set"] = name(whole.criterion.set);
   json["resolution"] = whole.resolution;
   json["box"] = cli::toJson(whole.box);
   json["boxes"] = whole.boxes;
@@ -93,17 +92,17 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
   if (paved.most_listed > 0)
-    json["listed"] = listOf((pavings.end() - 2)->tree, paved.most_listed);
+    json["listed"] = listOf(whole.tree, paved.most_listed);
   return json;
 }
 
 std::string proofOf(const Paved& paved)
 {
   const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings.front();
+  const Paving& whole = pavings[paved.asked];
   const Measure measure(whole.box);
-  std::string text = "Proved: the " + name(whole.criterion.set) + " points of the box have " +
-                     (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(paved, 0) + ".";
+  std::string text = "Proved: the points of the box that are " + quality(whole.criterion) + " have " +
+                     (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(paved, paved.asked) + ".";
   if (paved.is_section)
     text +=
         " The rails are parallel: the box is flat, across the axis they run along, and in every plane parallel to "
@@ -116,12 +115,12 @@ std::string proofOf(const Paved& paved)
 std::string print(const Machine& machine, const Paved& paved)
 {
   const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings.front();
+  const Paving& whole = pavings[paved.asked];
   const auto count = [&whole](CellState state) { return std::to_string(whole.tree.count(state)) + " boxes"; };
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
   const std::vector<Words> rows = {
-    { Measure(whole.box).name, sizeOf(paved, 0) },
+    { Measure(whole.box).name, sizeOf(paved, paved.asked) },
     { "own aspect", sizeOf(paved, pavings.size() - 2) },
     { "other aspect", sizeOf(paved, pavings.size() - 1) },
     { "inside", count(CellState::INSIDE) },
@@ -131,8 +130,8 @@ std::string print(const Machine& machine, const Paved& paved)
     { "resolution", exact(whole.resolution) + " m" },
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(pavings)) },
   };
-  return "Paving of the " + name(whole.criterion.set) + " set of machine '" + machine.name() + "'\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(whole.criterion));
+  return "Paving of the points of machine '" + machine.name() + "' that are " + quality(whole.criterion) + "\n\n" +
+         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, whole.criterion));
 }
 }  // namespace
 

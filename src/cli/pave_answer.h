@@ -24,10 +24,10 @@ struct Measure
 /// What there is to say of pavings.
 struct Paved
 {
-  /// Of the set that was asked for, of its part in the machine's own aspect unless that is the same, and of its part in
-  /// the other aspect.
+  /// Of the set in both aspects where that was asked for, then in the machine's own aspect and in the other one.
   std::vector<Paving> pavings;
   std::vector<Interval> sizes;   ///< enclose their volumes, or areas
+  std::size_t asked = 0;         ///< which of them was asked for
   bool is_section = false;       ///< the box is the plane across the rails along which nothing changes
   std::int64_t most_listed = 0;  ///< boxes that are listed in the JSON object
 };

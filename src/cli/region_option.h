@@ -7,6 +7,9 @@ namespace pkm_workspace
 {
 namespace cli
 {
+/// What bounds the points that count, for Command::remedy().
+constexpr const char* REGION_REMEDY = "a region by --shape, --center and --size";
+
 /// One region by --shape, --proportions, --ratio, --center and --size; all of them, or none.
 class RegionOption
 {

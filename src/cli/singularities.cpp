@@ -12,6 +12,14 @@ namespace cli
 {
 namespace
 {
+Criterion reachableAnywhere()
+{
+  Criterion criterion = defaultCriterion();
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.aspect = Criterion::Aspect::BOTH;
+  return criterion;
+}
+
 class FindThem : public Command
 {
 public:
@@ -27,7 +35,7 @@ public:
 
   Words examples() const override
   {
-    return { "pkm singularities --urdf orthoglide.urdf --joint-limits on",
+    return { "pkm singularities --urdf orthoglide.urdf --joint-limits off",
              "pkm singularities --urdf orthoglide.urdf --shape cube --center 0.0863 0.0863 0.0863 --size 0.6439" };
   }
 
@@ -35,15 +43,18 @@ public:
   {
     machine_.declare(options);
     region_.declare(options);
-    options.choice("aspect", aspect_, { "own", "other", "both" },
-                   "sign of det A at the points that count; a parallel singularity lies between the two");
-    options.onOff("joint-limits", limits_, "whether only points within the URDF's joint limits count");
+    aspect_.declare(options, criterion_.aspect,
+                    "sign of det A at the points that count: that of the machine's zero configuration, the other, or "
+                    "any; a parallel singularity lies between the two");
+    options.onOff("joint-limits", criterion_.joint_limits, "whether only points within the URDF's joint limits count");
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
                    "wanted width of each enclosure, relative to its upper end");
     declareBudget(options, query_.budget);
   }
 
   Words warnings() const override { return machine_.warnings(); }
+
+  Remedy remedy() const override { return { "--joint-limits on", REGION_REMEDY }; }
 
   Answer answer() override
   {
@@ -55,17 +66,11 @@ public:
       query.box = within.box;
       query.part = within.part;
     }
-    query.joint_limits = limits_;
-    query.aspect = aspect_ == "own"     ? Criterion::Aspect::OWN
-                   : aspect_ == "other" ? Criterion::Aspect::OTHER
-                                        : Criterion::Aspect::BOTH;
+    query.joint_limits = criterion_.joint_limits;
+    query.aspect = criterion_.aspect;
     query.budget.stop = stopOnSignal();
     const Singularities found = findSingularities(machine, query);
-    Criterion criterion;
-    criterion.set = Criterion::Set::REACHABLE;
-    criterion.aspect = query.aspect;
-    criterion.joint_limits = limits_;
-    Json json = contextOf(machine, criterion);
+    Json json = contextOf(machine, criterion_);
     json["over"] = region_.given() ? "region" : "set";
     json["serial"] = Json::array();
     for (const SingularityAnswer& leg : found.serial)
@@ -88,7 +93,8 @@ private:
     add("parallel", found.parallel, "|det A| [m^3]");
     return "Singularities of machine '" + machine.name() + "' " +
            (region_.given() ? "in the " + region_.shape()->name() : "at all points that the struts reach") +
-           (limits_ ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           (criterion_.joint_limits ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           wrapped(definition(machine, criterion_)) +
            wrapped("Proved by interval analysis: none, or one within a box around the point that is told. " +
                    seconds(found.seconds) + ".");
   }
@@ -96,8 +102,8 @@ private:
   MachineOptions machine_;
   RegionOption region_;
   SingularityQuery query_;
-  std::string aspect_ = "both";
-  bool limits_ = false;
+  AspectOption aspect_;
+  Criterion criterion_ = reachableAnywhere();
 };
 }  // namespace
 

@@ -69,8 +69,7 @@ public:
     options.require({ "range" });
     shape_.declare(options, query_.region);
     criterion_options_.declare(options, query_.region.criterion);
-    options.number("accuracy", query_.region.accuracy, LENGTH_POSITIVE,
-                   "largest difference between the best machine's proved size and the upper bound of all");
+    accuracy_.declare(options, "largest difference between the best machine's proved size and the upper bound of all");
     options.count("parts", parts_, 100000, "parts of the range whose largest sizes are told too; without it, none");
     declareBudget(options, query_.region.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
@@ -133,7 +132,7 @@ private:
       query_.family = parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda();
     else
       return;
-    query_.family.at(Interval(range_->lower));
+    query_.region.accuracy = accuracy_.valueFor(query_.family.at(Interval(range_->lower)));
     query_.family.at(Interval(range_->upper));
   }
 
@@ -156,6 +155,8 @@ private:
     json["size"] = region.size;
     json["size_upper_bound"] = finite(region.size_upper_bound);
     json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
+    if (found && !query_.region.criterion.joint_limits)
+      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOver(region.joint_ranges)));
     json["candidates"] = toJson(best.candidates);
     json["parts"] = toJson(parts);
     json["boxes"] = region.boxes;
@@ -167,6 +168,7 @@ private:
   std::string print(const BestParameter& best, const std::vector<BestParameter>& parts) const
   {
     const LargestRegion& region = best.region;
+    const Machine machine = bestMachine(best);
     const std::string unit = query_.family.unit.empty() ? "" : " " + query_.family.unit;
     const std::string parameter = query_.family.parameter;
     std::vector<Words> rows = { { "status", name(region.status) + " (" + region.message + ")" } };
@@ -182,7 +184,9 @@ private:
     return "Largest " + region.shape->name() + " of a machine with " + parameter + " from " +
            exact(query_.range.lower()) + " to " + exact(query_.range.upper()) + unit + "\n\n" +
            aligned(rows, Align::LEFT) + "\n" + table(parts) + wrapped(proof(best)) +
-           wrapped(definition(query_.region.criterion));
+           wrapped(definition(machine, query_.region.criterion)) +
+           wrapped(region.size > 0.0 ? remarkOnLimits(machine, query_.region.criterion, reachOver(region.joint_ranges))
+                                     : "");
   }
 
   std::string table(const std::vector<BestParameter>& parts) const
@@ -219,6 +223,7 @@ private:
   StudyQuery query_;
   CriterionOptions criterion_options_;
   ShapeOptions shape_;
+  AccuracyOption accuracy_;
   int parts_ = 0;
   bool progress_ = false;
 };

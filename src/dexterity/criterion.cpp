@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/text.h"
 
 namespace pkm_workspace
@@ -81,27 +82,65 @@ bool Budget::isOver(double seconds) const
   return (stop && *stop) || (time_limit > 0.0 && seconds >= time_limit);
 }
 
+namespace
+{
+/// The values of a criterion by their names.
+class FactorChecks
+{
+public:
+  FactorChecks(Problems& problems, const Origin& origin) : problems_(problems), origin_(origin) {}
+
+  /// Whether the value is 0 where that stands for none, or an ordinary number.
+  bool isOrdinary(const std::string& name, double value, bool may_be_none)
+  {
+    if ((value >= LEAST && value <= LARGEST) || (may_be_none && value == 0.0))
+      return true;
+    complain(problems_, name, value,
+             fromWhere(name) + "(a transmission factor, without unit) must be positive and finite (1e-100 to 1e100)" +
+                 (may_be_none ? ", or 0 for none" : ""));
+    return false;
+  }
+
+  void order(const std::string& least, double lower, const std::string& largest, double upper)
+  {
+    if (lower <= upper)
+      return;
+    std::ostringstream text;
+    text.precision(17);
+    text << fromWhere(largest) << "must be at least " << least << " = " << lower << ' ' << fromWhere(least)
+         << "(transmission factors, without unit)";
+    complain(problems_, largest, upper, text.str());
+  }
+
+private:
+  std::string fromWhere(const std::string& name) const
+  {
+    const std::string origin = origin_ ? origin_(name) : "";
+    return origin.empty() ? "" : "(" + origin + ") ";
+  }
+
+  Problems& problems_;
+  const Origin& origin_;
+};
+}  // namespace
+
+void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems)
+{
+  FactorChecks checks(problems, origin);
+  const bool has_psi_min = checks.isOrdinary("psi_min", criterion.psi_min, false);
+  if (checks.isOrdinary("psi_max", criterion.psi_max, false) && has_psi_min)
+    checks.order("psi_min", criterion.psi_min, "psi_max", criterion.psi_max);
+  const bool has_force_min = checks.isOrdinary("force_min", criterion.force_min, true);
+  if (checks.isOrdinary("force_max", criterion.force_max, true) && has_force_min && criterion.force_max != 0.0)
+    checks.order("force_min", criterion.force_min, "force_max", criterion.force_max);
+  if (criterion.kappa_max != 0.0 && !(criterion.kappa_max >= 1.0 && criterion.kappa_max <= LARGEST))
+    complain(problems, "kappa_max", criterion.kappa_max,
+             "(a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+}
+
 void Criterion::validate(Problems& problems) const
 {
-  const auto refuse = [&problems](const char* name, double value, const std::string& allowed) {
-    complain(problems, name, value, "(a transmission factor, without unit) must be " + allowed);
-  };
-  const auto isOrdinary = [](double value) { return value >= LEAST && value <= LARGEST; };
-  if (!isOrdinary(psi_min))
-    refuse("psi_min", psi_min, "positive and finite (1e-100 to 1e100)");
-  if (!isOrdinary(psi_max))
-    refuse("psi_max", psi_max, "positive and finite (1e-100 to 1e100)");
-  else if (!(psi_min <= psi_max))
-    refuse("psi_max", psi_max, "at least psi_min");
-  if (force_min != 0.0 && !isOrdinary(force_min))
-    refuse("force_min", force_min, "positive and finite (1e-100 to 1e100), or 0 for none");
-  if (force_max != 0.0 && !isOrdinary(force_max))
-    refuse("force_max", force_max, "positive and finite (1e-100 to 1e100), or 0 for none");
-  else if (force_max != 0.0 && !(force_min <= force_max))
-    refuse("force_max", force_max, "at least force_min, or 0 for none");
-  if (kappa_max != 0.0 && !(kappa_max >= 1.0 && kappa_max <= LARGEST))
-    complain(problems, "kappa_max", kappa_max,
-             "(a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+  validateCriterion(*this, nullptr, problems);
 }
 
 Interval Criterion::leastFactor() const
@@ -132,9 +171,22 @@ bool operator==(const Criterion& a, const Criterion& b)
   return values(a) == values(b);
 }
 
+std::string name(Criterion::Aspect aspect)
+{
+  constexpr const char* NAMES[] = { "own", "other", "both" };  // as Aspect
+  return NAMES[static_cast<std::size_t>(aspect)];
+}
+
+std::string quality(const Criterion& criterion)
+{
+  const std::string set = criterion.set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";
+  if (criterion.aspect == Criterion::Aspect::BOTH)
+    return set + " in either aspect";
+  return set + " in the machine's " + name(criterion.aspect) + " aspect";
+}
+
 std::string describe(const Criterion& criterion)
 {
-  constexpr const char* ASPECTS[] = { "own", "other", "either" };
   std::ostringstream text;
   text.precision(17);
   if (criterion.set == Criterion::Set::DEXTROUS)
@@ -147,8 +199,8 @@ std::string describe(const Criterion& criterion)
     text << ", force factors at most " << criterion.force_max;
   if (criterion.kappa_max > 0.0)
     text << ", condition number at most " << criterion.kappa_max;
-  text << ", " << ASPECTS[static_cast<std::size_t>(criterion.aspect)] << " aspect, joint limits "
-       << (criterion.joint_limits ? "on" : "off");
+  text << ", " << name(criterion.aspect) << (criterion.aspect == Criterion::Aspect::BOTH ? " aspects" : " aspect")
+       << ", joint limits " << (criterion.joint_limits ? "on" : "off");
   return text.str();
 }
 }  // namespace pkm_workspace

@@ -109,7 +109,7 @@ PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const
   CurvePiece piece{};
   piece.points.center = { point.x(), point.y(), point.z() };
   PieceMotion motion;
-  reach_test_.kernel().look(&piece, 1, &result.reachable, &motion);
+  reach_test_.kernel().look(&piece, 1, &result.within_reach, &motion);
   addReach(point, result);
   const auto there = configurationAt(machine_, point);
   result.has_values = there && motion.joint[0].upper < INF;

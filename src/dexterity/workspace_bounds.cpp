@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "pkm_workspace/dexterity/unbounded.h"
 
 #include "pkm_workspace/dexterity/eta_range.h"
 
@@ -200,19 +201,11 @@ bool isBounded(const Box& box, const Machine& machine)
   return (box.upper - box.lower).maxCoeff() <= LONGEST * machine.scale();
 }
 
-void throwUnbounded(const char* remedy)
-{
-  throw std::invalid_argument(
-      std::string("the rails are parallel or so nearly parallel that the set is longer than 1000 "
-                  "struts: ") +
-      remedy);
-}
-
 Box workspaceBounds(const Machine& machine, const Criterion& criterion)
 {
   const Box bounds = boundsOfSet(machine, criterion);
   if (bounds.isValid() && !isBounded(bounds, machine))
-    throwUnbounded("ask for joint limits or give a box");
+    throwUnbounded(machine, criterion);
   return bounds;
 }
 }  // namespace pkm_workspace

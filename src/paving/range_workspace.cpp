@@ -60,8 +60,7 @@ public:
   RangeWorkspace run()
   {
     double resolution = COARSE * machine_.scale();
-    const auto isSettled = [&](const Interval& own) { return own.width() <= query_.accuracy * own.upper(); };
-    for (int k = 0; k <= HALVINGS && !(k > 0 && isSettled(answer_.own_aspect)) && !isOver(); ++k, resolution *= 0.5)
+    for (int k = 0; k <= HALVINGS && !(k > 0 && isSettled()) && !isOver(); ++k, resolution *= 0.5)
     {
       answer_.resolution = resolution;
       const Interval own = volume(Criterion::Aspect::OWN, resolution);
@@ -71,7 +70,7 @@ public:
     }
     answer_.own_aspect = withinRanges(answer_.own_aspect);
     answer_.other_aspect = withinRanges(answer_.other_aspect);
-    answer_.complete = isSettled(answer_.own_aspect);
+    answer_.complete = isSettled();
     answer_.seconds = seconds();
     return answer_;
   }
@@ -82,6 +81,13 @@ private:
   {
     const Budget& budget = query_.budget;
     return boxes_ > 0 && (budget.isOver(seconds()) || (budget.max_boxes > 0 && boxes_ >= budget.max_boxes));
+  }
+
+  /// Whether the volume that the accuracy is about is known to it.
+  bool isSettled() const
+  {
+    const Interval& asked = query_.aspect == Criterion::Aspect::OTHER ? answer_.other_aspect : answer_.own_aspect;
+    return asked.width() <= query_.accuracy * asked.upper();
   }
 
   Interval volume(Criterion::Aspect aspect, double resolution)

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 
 namespace pkm_workspace
@@ -72,11 +72,10 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);
   if (space.centers.isValid() && !isBounded(space.centers, machine))
-    throwUnbounded("ask for joint limits or give a search box");
+    throwUnbounded(machine, query.criterion);
   if (!std::isfinite(space.size_bound))
-    throw std::invalid_argument("a " + query.shape->name() +
-                                " along the rails can be as long as one likes: "
-                                "ask for joint limits or another shape");
+    throw Unbounded(Unbounded::What::SHAPE, "a " + query.shape->name() + " along the rails can be as long as one likes",
+                    machine, query.criterion);
   return space;
 }
 }  // namespace pkm_workspace

@@ -86,9 +86,9 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   const ros::WallTime begin = ros::WallTime::now();
   for (const FramedMachine& in : machines)
   {
-    const Comparison study = comparisonOf(*in.machine, query, VOLUME_ACCURACY, [](const std::string& doing) {
-      ROS_DEBUG_STREAM_NAMED("server", "comparing: " << doing);
-    });
+    const auto tell = [](const std::string& doing) { ROS_DEBUG_STREAM_NAMED("server", "comparing: " << doing); };
+    const Comparison study =
+        withRemedy(REGION_REMEDY, [&] { return comparisonOf(*in.machine, query, VOLUME_ACCURACY, tell); });
     response.machines.push_back(messageOf(in, study));
     done.stopped = done.stopped || study.region.status == LargestRegion::Status::STOPPED || !study.workspace.complete;
   }

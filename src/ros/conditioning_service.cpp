@@ -19,8 +19,9 @@ using Request = ComputeConditioning::Request;
 
 bool isEmpty(const CriterionRequest& criterion)
 {
-  return criterion.set == 0 && criterion.psi_min == 0.0 && criterion.psi_max == 0.0 && criterion.force_min == 0.0 &&
-         criterion.force_max == 0.0 && criterion.kappa_max == 0.0 && criterion.joint_limits == 0;
+  return criterion.set == 0 && criterion.aspect == 0 && criterion.psi_min == 0.0 && criterion.psi_max == 0.0 &&
+         criterion.force_min == 0.0 && criterion.force_max == 0.0 && criterion.kappa_max == 0.0 &&
+         criterion.joint_limits == 0;
 }
 
 /// Refuses what is set and without effect.
@@ -28,8 +29,8 @@ void requireUnused(const Request& request, Problems& problems)
 {
   if (request.over > Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) + " must be SET = 0 or REGION = 1");
-  if (request.over == Request::REGION && (!isEmpty(request.criterion) || request.aspect != Request::OWN))
-    problems.push_back("criterion and aspect must be 0 unless over = SET: all points of a region count");
+  if (request.over == Request::REGION && !isEmpty(request.criterion))
+    problems.push_back("criterion must be 0 unless over = SET: all points of a region count");
   if (request.over != Request::REGION &&
       (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))
     problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
@@ -58,9 +59,7 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   ConditioningQuery query;
   Problems problems;
   requireUnused(request, problems);
-  Criterion criterion = fromMessage(request.criterion, context_.query().criterion, problems);
-  criterion.aspect = aspectOf(request.aspect, problems);
-  criterion.validate(problems);
+  const Criterion criterion = fromMessage(request.criterion, context_.query().criterion, problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.budget.threads = node.threads;
   query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
@@ -79,7 +78,8 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
     found = globalConditioning(*in.machine, *solid.shape, fromMessage(request.center), solid.size, query);
   }
   else
-    found = workspaceConditioning(*in.machine, criterion, query);
+    found = withRemedy({ "joint_limits = ON", "over = REGION" },
+                       [&] { return workspaceConditioning(*in.machine, criterion, query); });
   response.header = headerOf(in, ros::Time::now());
   response.hypotheses = hypothesesOf(in, criterion, query.accuracy);
   response.index = toMessage(found.index);

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
 namespace pkm_workspace
@@ -128,7 +129,6 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
           readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems))
     query.search_box = corners;
   query.criterion = fromMessage(request.criterion, defaults.criterion, problems);
-  query.criterion.aspect = aspectOf(request.aspect, problems);
   query.precision = request.multi_precision ? Precision::MULTIPLE : Precision::DOUBLE;
   query.accuracy = valueOr(request.accuracy, defaults.accuracy);
   query.budget.time_limit = timeLimitOf(request.time_limit, defaults.budget.time_limit, longest, problems);
@@ -167,6 +167,9 @@ Region toMessage(const Answer& answer, const ros::Time& stamp)
   message.verification_boxes = region.verification_boxes;
   message.seconds = region.seconds;
   message.message = region.message;
+  if (region.size > 0.0)
+    message.message =
+        withRemark(message.message, remarkOnLimits(machine, query.criterion, reachOver(region.joint_ranges)));
   return message;
 }
 

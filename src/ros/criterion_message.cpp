@@ -17,6 +17,20 @@ double boundOr(double value, double fallback)
   return value == std::numeric_limits<double>::infinity() ? 0.0 : valueOr(value, fallback);
 }
 
+static_assert(Hypotheses::OWN == 1 && Hypotheses::OTHER == 2 && Hypotheses::BOTH == 3, "numbers as Criterion::Aspect");
+
+std::uint8_t toNumber(Criterion::Aspect aspect)
+{
+  return static_cast<std::uint8_t>(static_cast<int>(aspect) + Hypotheses::OWN);
+}
+
+Criterion::Aspect fromNumber(std::uint8_t aspect)
+{
+  return aspect == Hypotheses::OTHER  ? Criterion::Aspect::OTHER
+         : aspect == Hypotheses::BOTH ? Criterion::Aspect::BOTH
+                                      : Criterion::Aspect::OWN;
+}
+
 void readSet(const CriterionRequest& request, Criterion& criterion, Problems& problems)
 {
   if (request.set == CriterionRequest::DEXTROUS)
@@ -42,14 +56,29 @@ void readFactors(const CriterionRequest& request, Criterion& criterion, Problems
 Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems)
 {
   Criterion criterion = defaults;
+  const std::size_t before = problems.size();
   readSet(request, criterion, problems);
+  criterion.aspect = aspectOf(request.aspect, defaults.aspect, problems);
   readFactors(request, criterion, problems);
   if (request.joint_limits == CriterionRequest::ON || request.joint_limits == CriterionRequest::OFF)
     criterion.joint_limits = request.joint_limits == CriterionRequest::ON;
   else if (request.joint_limits != CriterionRequest::DEFAULT)
     problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
                        " must be DEFAULT = 0, ON = 1 or OFF = 2");
-  return criterion;
+  const Origin origin = [&request](const std::string& name) {
+    const double value = name == "psi_min"     ? request.psi_min
+                         : name == "psi_max"   ? request.psi_max
+                         : name == "force_min" ? request.force_min
+                                               : request.force_max;
+    return value == 0.0 ? "the node's" : "";
+  };
+  validateCriterion(criterion, origin, problems);
+  if (problems.size() == before)
+    return criterion;
+  Criterion valid = defaults;
+  valid.set = criterion.set;
+  valid.aspect = criterion.aspect;
+  return valid;
 }
 
 std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
@@ -83,15 +112,15 @@ double timeLimitOf(double requested, double node, double longest, Problems& prob
   return node;
 }
 
-Criterion::Aspect aspectOf(std::uint8_t aspect, Problems& problems)
+Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Problems& problems)
 {
-  if (aspect == Hypotheses::OTHER)
-    return Criterion::Aspect::OTHER;
-  if (aspect == Hypotheses::BOTH)
-    return Criterion::Aspect::BOTH;
-  if (aspect != Hypotheses::OWN)
-    problems.push_back("aspect = " + std::to_string(aspect) + " must be OWN = 0, OTHER = 1 or BOTH = 2");
-  return Criterion::Aspect::OWN;
+  if (aspect == 0)
+    return fallback;
+  if (aspect <= Hypotheses::BOTH)
+    return fromNumber(aspect);
+  problems.push_back("aspect = " + std::to_string(aspect) + " must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for " +
+                     name(fallback));
+  return fallback;
 }
 
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy)
@@ -103,7 +132,7 @@ Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, dou
   message.root = in.root;
   message.version = version();
   message.set = dextrous ? Hypotheses::DEXTROUS : Hypotheses::REACHABLE;
-  message.aspect = static_cast<std::uint8_t>(criterion.aspect);
+  message.aspect = toNumber(criterion.aspect);
   message.psi_min = dextrous ? criterion.psi_min : 0.0;
   message.psi_max = dextrous ? criterion.psi_max : 0.0;
   message.force_min = criterion.force_min;
@@ -119,7 +148,7 @@ std::string captionOf(const Hypotheses& hypotheses)
   constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
   Criterion criterion;
   criterion.set = hypotheses.set == Hypotheses::DEXTROUS ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
-  criterion.aspect = static_cast<Criterion::Aspect>(hypotheses.aspect);
+  criterion.aspect = fromNumber(hypotheses.aspect);
   criterion.psi_min = hypotheses.psi_min;
   criterion.psi_max = hypotheses.psi_max;
   criterion.force_min = hypotheses.force_min;

@@ -25,7 +25,8 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
   query.validate(problems);
   validateAccuracy(context_.machine(), query, problems);
   throwProblems(problems);
-  centerSpace(context_.machine(), query);  // refuses what has no bounded answer
+  withRemedy(NODE_REMEDY,
+             [&] { return centerSpace(context_.machine(), query); });  // refuses what has no bounded answer
   context_.setCriterion(query.criterion, query.accuracy);
   changed_();
   response.hypotheses = hypothesesOf(context_.frames.root(), query.criterion, query.accuracy);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/center_space.h"
 
 namespace pkm_workspace
@@ -13,15 +14,15 @@ namespace pkm_workspace
 namespace
 {
 /// Refuses to run where proofs would be void, and what has no bounded answer, before anybody asks.
-void requireAnswerable(const Machine& machine, const Parameters& parameters)
+void requireAnswerable(const Machine& machine, const RegionQuery& query)
 {
   const std::string defect = rounding::selfTest();
   if (!defect.empty())
     throw std::runtime_error("nothing can be proved on this computer: " + defect);
   Problems problems;
-  validateAccuracy(machine, parameters.query, problems);
+  validateAccuracy(machine, query, problems);
   throwProblems(problems);
-  centerSpace(machine, parameters.query);
+  withRemedy(NODE_REMEDY, [&] { return centerSpace(machine, query); });
 }
 
 void logMachine(const UrdfMachine& urdf, const std::string& frame)
@@ -54,7 +55,8 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   , frames(urdf.machine, frameOf(private_handle, urdf.root_link), framesOf(private_handle, urdf.moved_links))
   , query_(parameters.query)
 {
-  requireAnswerable(machine(), parameters);
+  query_.accuracy = parameters.accuracy > 0.0 ? parameters.accuracy : defaultAccuracy(machine());
+  requireAnswerable(machine(), query_);
   logMachine(urdf, frames.root().frame);
   computing.setCallbackQueue(&worker.queue());
   deciding.setCallbackQueue(&decider.queue());

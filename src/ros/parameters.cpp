@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/paving/paving.h"
 
 namespace pkm_workspace
@@ -91,15 +92,6 @@ bool read(const XmlRpcValue& value, std::optional<Box>& target)
   return true;
 }
 
-bool readSet(const XmlRpcValue& value, Criterion::Set& target)
-{
-  std::string name;
-  if (!read(value, name) || (name != "dextrous" && name != "reachable"))
-    return false;
-  target = name == "dextrous" ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
-  return true;
-}
-
 /// XML-RPC has integers of 32 bits.
 bool readMemory(const XmlRpcValue& value, std::int64_t& target)
 {
@@ -130,6 +122,24 @@ Entry entry(T& target, const std::string& expected)
   return { expected, [&target](const XmlRpcValue& value) { return read(value, target); } };
 }
 
+template <class Choice>
+Entry oneOf(Choice& target, const std::map<std::string, Choice>& choices, const std::string& expected)
+{
+  const auto set = [&target, choices](const XmlRpcValue& value) {
+    std::string word;
+    const bool known = read(value, word) && choices.count(word) > 0;
+    target = known ? choices.at(word) : target;
+    return known;
+  };
+  return { expected, set };
+}
+
+const std::map<std::string, Criterion::Set> SETS = { { "dextrous", Criterion::Set::DEXTROUS },
+                                                     { "reachable", Criterion::Set::REACHABLE } };
+const std::map<std::string, Criterion::Aspect> ASPECTS = { { "own", Criterion::Aspect::OWN },
+                                                           { "other", Criterion::Aspect::OTHER },
+                                                           { "both", Criterion::Aspect::BOTH } };
+
 /// The shape is given by these parameters.
 struct ShapeNames
 {
@@ -145,16 +155,15 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "shape", entry(names.shape, "a text: cube, square, box, sphere, disc or cylinder") },
     { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
     { "ratio", entry(names.ratio, "two numbers [least, largest] > 0, without unit") },
-    { "set",
-      { "a text: dextrous or reachable",
-        [&query](const XmlRpcValue& value) { return readSet(value, query.criterion.set); } } },
+    { "set", oneOf(query.criterion.set, SETS, "a text: dextrous or reachable") },
+    { "aspect", oneOf(query.criterion.aspect, ASPECTS, "a text: own, other or both") },
     { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
     { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },
     { "force_min", entry(query.criterion.force_min, "a number > 0, or 0 for none, without unit") },
     { "force_max", entry(query.criterion.force_max, "a number >= force_min, or 0 for none, without unit") },
     { "kappa_max", entry(query.criterion.kappa_max, "a number >= 1, or 0 for none, without unit") },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
-    { "accuracy", entry(query.accuracy, "a number > 0 [m]") },
+    { "accuracy", entry(parameters.accuracy, "a number >= 0 [m]") },
     { "search_box", entry(query.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
     { "time_limit", entry(query.budget.time_limit, "a number > 0, at most 86400 [s]") },
     { "threads", entry(query.budget.threads, "a whole number >= 1") },
@@ -206,6 +215,21 @@ void chooseShape(const ShapeNames& names, RegionQuery& query, Problems& problems
     problems.push_back(error.what());
   }
 }
+/// Tells which of two bounds that contradict each other is a default, and leaves valid ones.
+void validateBounds(const XmlRpcValue& values, Criterion& criterion, Problems& problems)
+{
+  const std::size_t before = problems.size();
+  const Origin origin = [&values](const std::string& name) {
+    return values.getType() == XmlRpcValue::TypeStruct && values.hasMember(name) ? "" : "the default";
+  };
+  validateCriterion(criterion, origin, problems);
+  if (problems.size() == before)
+    return;
+  Criterion valid = defaultCriterion();
+  valid.set = criterion.set;
+  valid.aspect = criterion.aspect;
+  criterion = valid;
+}
 }  // namespace
 
 void Parameters::validate(Problems& problems) const
@@ -220,6 +244,8 @@ void Parameters::validate(Problems& problems) const
   // the query allows more: 0 for no limit
   if (query.budget.time_limit == 0.0 || query.budget.time_limit > LONGEST)
     complain("time_limit", query.budget.time_limit, "s must be > 0 and at most 86400 s");
+  if (!(accuracy >= 0.0 && accuracy <= 1e100))
+    complain("accuracy", accuracy, "m must be positive and finite, or 0 for a thousandth of the longest strut");
   if (!(paving_resolution >= 0.0 && paving_resolution <= 1e100))
     complain("paving_resolution", paving_resolution, "m must be >= 0 and finite");
 }
@@ -233,6 +259,7 @@ Parameters loadParameters(const ros::NodeHandle& private_node)
   if (private_node.getParam(private_node.getNamespace(), values) && values.getType() == XmlRpcValue::TypeStruct)
     readTable(tableOf(parameters, names), values, problems);
   chooseShape(names, parameters.query, problems);
+  validateBounds(values, parameters.query.criterion, problems);
   parameters.validate(problems);
   for (auto& problem : problems)
     problem = "parameter of " + private_node.getNamespace() + ": " + problem;

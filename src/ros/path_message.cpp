@@ -123,7 +123,7 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
 void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response)
 {
   response.verdict = constantOf(evaluation.verdict);
-  response.reachable = constantOf(evaluation.reachable);
+  response.within_reach = constantOf(evaluation.within_reach);
   response.has_values = evaluation.has_values;
   response.limit = toMessage(evaluation.binding(), machine);
   response.message = describe(evaluation.binding(), machine);

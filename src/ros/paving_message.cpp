@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -39,11 +40,6 @@ std::uint8_t dimensionOf(const Box& box)
 }
 }  // namespace
 
-double defaultResolution(const Machine& machine, const Box& box)
-{
-  return machine.scale() / (dimensionOf(box) == 2 ? 40.0 : 10.0);
-}
-
 PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
                            const Parameters& parameters, double longest)
 {
@@ -51,7 +47,6 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   PavingQuery& query = question.query;
   Problems problems;
   query.criterion = fromMessage(request.criterion, criterion, problems);
-  query.criterion.aspect = aspectOf(request.aspect, problems);
   query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
   query.budget = parameters.query.budget;
   query.budget.time_limit = timeLimitOf(request.time_limit, query.budget.time_limit, longest, problems);
@@ -65,7 +60,8 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   query.validate(problems);
   throwProblems(problems);
   if (!query.box)
-    query.box = defaultBox(*in.machine, query.criterion);
+    query.box = withRemedy({ "joint_limits = ON", "a box by use_box" },
+                           [&] { return defaultBox(*in.machine, query.criterion); });
   if (is_default)
     query.resolution = defaultResolution(*in.machine, *query.box);
   return question;

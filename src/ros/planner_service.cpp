@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/planner_service.h"
 
+#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
@@ -31,6 +32,18 @@ std::string sentence(const ContainmentResult& result, const PointEvaluator& eval
   return "proved: the bad point violates the criterion; " +
          describe(evaluator(*result.bad_point).binding(), evaluator.machine());
 }
+bool asksForLimits(const PointEvaluator& evaluator)
+{
+  return evaluator.test().model().criterion().joint_limits;
+}
+
+/// Says what an answer without joint limits means for these.
+template <class Response>
+void addRemark(const PointEvaluator& evaluator, const JointReaches& reaches, Response& response)
+{
+  const Criterion& criterion = evaluator.test().model().criterion();
+  response.message = withRemark(response.message, remarkOnLimits(evaluator.machine(), criterion, reaches));
+}
 }  // namespace
 
 PlannerService::PlannerService(NodeContext& context)
@@ -59,7 +72,6 @@ PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, c
   const FramedMachine in = context_.frames.machineIn(frame);
   Problems problems;
   const Criterion criterion = fromMessage(request, context_.query().criterion, problems);
-  criterion.validate(problems);
   throwProblems(problems);
   const EvaluatorPtr evaluator = evaluatorFor(in.machine, criterion);
   response.header = headerOf(in, ros::Time::now());
@@ -98,6 +110,8 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
   response.message = sentence(result, *evaluator);
+  if (result.verdict == Containment::INSIDE && !asksForLimits(*evaluator))
+    addRemark(*evaluator, reachOver(evaluator->machine(), *solid.shape, center, solid.size), response);
 }
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
@@ -109,8 +123,17 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
   PathChecker checker(*evaluator, query, [&response](const SegmentCheck& segment) {
     response.segment_verdicts.push_back(constantOf(segment.verdict));
   });
-  forEachSegment(request, [&checker](const PathSegment& segment) { checker.add(segment); });
-  fill(checker.finish(), evaluator->machine(), response);
+  PathReach reach(evaluator->machine());
+  const bool is_limited = asksForLimits(*evaluator);
+  forEachSegment(request, [&](const PathSegment& segment) {
+    checker.add(segment);
+    if (!is_limited)
+      reach.add(segment);
+  });
+  const PathResult result = checker.finish();
+  fill(result, evaluator->machine(), response);
+  if (result.motion && !is_limited)
+    addRemark(*evaluator, reach.over(*result.motion), response);
 }
 
 void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response)
@@ -119,6 +142,9 @@ void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, Evalua
   Problems problems;
   requireFinite("point", fromMessage(request.point), problems);
   throwProblems(problems);
-  fill((*evaluator)(fromMessage(request.point)), evaluator->machine(), response);
+  const PointEvaluation evaluation = (*evaluator)(fromMessage(request.point));
+  fill(evaluation, evaluator->machine(), response);
+  if (evaluation.verdict == BoxVerdict::INSIDE)
+    addRemark(*evaluator, reachAt(evaluation.rho), response);
 }
 }  // namespace pkm_workspace

@@ -5,6 +5,7 @@
 #include <ros/console.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"

@@ -96,7 +96,9 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
 {
   question.query.budget.stop = stop.get();
   ROS_INFO_STREAM_NAMED("server", "computing: " << describe(question.query));
-  const Answer answer{ question, findLargestRegion(*question.in.machine, question.query) };
+  const Answer answer{ question, withRemedy(REGION_REMEDY, [&question] {
+                         return findLargestRegion(*question.in.machine, question.query);
+                       }) };
   ROS_INFO_STREAM_NAMED("server", summary(answer));
   const bool stopped = answer.region.status == LargestRegion::Status::STOPPED;
   if (stopped && !*stop)

@@ -133,7 +133,7 @@ SingularityService::Question SingularityService::read(const Request& request) co
   requireUnused(request, problems);
   if (request.over > Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) +
-                       " must be REACHABLE = 0, JOINT_LIMITS = 1, JOINT_RANGES = 2 or REGION = 3");
+                       " must be JOINT_LIMITS = 0, REACHABLE = 1, JOINT_RANGES = 2 or REGION = 3");
   if (request.over == Request::JOINT_RANGES)
   {
     const auto ranges = readRanges(request, problems);
@@ -148,7 +148,7 @@ SingularityService::Question SingularityService::read(const Request& request) co
     question.query = singularitiesOver(solid.shape, fromMessage(request.center), solid.size);
   }
   question.query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
-  question.query.aspect = aspectOf(request.aspect, problems);
+  question.query.aspect = aspectOf(request.aspect, Criterion::Aspect::BOTH, problems);
   question.query.accuracy = valueOr(request.accuracy, question.query.accuracy);
   const Budget& node = context_.parameters.query.budget;
   question.query.budget.threads = node.threads;
@@ -164,7 +164,9 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
   const StopFlag stop = context_.worker.makeStopFlag();
   question.query.budget.stop = stop.get();
   ROS_INFO_NAMED("server", "computing: singularities");
-  const Singularities found = findSingularities(*question.in.machine, question.query);
+  const Singularities found = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
+    return findSingularities(*question.in.machine, question.query);
+  });
   Criterion criterion;
   criterion.set = Criterion::Set::REACHABLE;
   criterion.aspect = question.query.aspect;

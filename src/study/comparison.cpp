@@ -2,6 +2,7 @@
 #include "pkm_workspace/study/comparison.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/region_parts.h"
@@ -45,6 +46,9 @@ Interval Comparison::largest(Interval JointRange::*part) const
 Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell)
 {
   Comparison study{ machine, query, {} };
+  const Criterion::Aspect aspect = query.criterion.aspect;
+  if (aspect == Criterion::Aspect::BOTH)
+    throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");
   study.query.budget.time_limit /= PARTS;
   study.query.progress = [&](const RegionProgress& state) {
     tell(machine.name() + ", largest region: size " + bracket(state.size, state.size_upper_bound));
@@ -56,7 +60,7 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
     return study;
   study.ranges = equalisedRanges(study.each(&JointRange::lower), study.each(&JointRange::stroke));
   tell(machine.name() + ", volume for the strokes");
-  study.workspace = workspaceOfRanges(machine, { study.ranges, volume_accuracy, budget });
+  study.workspace = workspaceOfRanges(machine, { study.ranges, volume_accuracy, budget, aspect });
   const auto singularities = [&budget](const Machine& in, SingularityQuery of) {
     const std::int64_t most = of.budget.max_boxes;
     of.budget = budget;
@@ -91,18 +95,20 @@ std::vector<Figure> figuresOf(const Comparison& study)
   Interval strut = study.machine.leg(0).length;
   for (const Leg& leg : study.machine.legs())
     strut = { std::max(strut.lower(), leg.length.lower()), std::max(strut.upper(), leg.length.upper()) };
+  const bool is_own = study.query.criterion.aspect == Criterion::Aspect::OWN;
+  const Interval& all = is_own ? study.workspace.own_aspect : study.workspace.other_aspect;
+  const Interval& more = is_own ? study.workspace.other_aspect : study.workspace.own_aspect;
   std::vector<Figure> figures = {
     { "size", shape.name() + ": " + shape.sizeMeaning(), 1, { region.size, region.size_upper_bound } },
     { "strut", "longest strut [m]", 1, strut },
     { "stroke", "largest stroke, Delta rho [m]", 1, study.largest(&JointRange::stroke) },
     { "across", "its part Delta f [m]", 1, study.largest(&JointRange::across) },
-    { "workspace_volume", "volume for these strokes [m^3]", 3, study.workspace.own_aspect },
-    { "other_aspect_volume", "  more in the other aspect [m^3]", 3, study.workspace.other_aspect },
+    { "workspace_volume", "volume for these strokes [m^3]", 3, all },
+    { "other_aspect_volume", is_own ? "  more in the other aspect [m^3]" : "  more in the own aspect [m^3]", 3, more },
   };
   if (shape.volume(1.0).lower() > 0.0)
   {
     const Interval volume = shape.volume(region.size);
-    const Interval& all = study.workspace.own_aspect;
     figures.push_back({ "region_volume", "volume of the region [m^3]", 3, volume });
     figures.push_back({ "volume_ratio", "  its share of the volume", 0,
                         all.lower() > 0.0 ? intersection(volume / all, { 0.0, 1.0 }) : Interval(0.0, 1.0) });

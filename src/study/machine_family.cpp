@@ -56,7 +56,7 @@ void validateEnds(const Machine& first, const Machine& last, bool joint_limits)
     if (first.leg(i).working_mode != last.leg(i).working_mode)
       problems.push_back(legs + "have opposite working modes");
     if (joint_limits && first.leg(i).limits != last.leg(i).limits)
-      problems.push_back(legs + "have different joint limits: leave the joint limits out, or make them the same");
+      problems.push_back(legs + "have different joint limits: leave joint limits off, or make them the same");
   }
   if (first.aspect() != last.aspect())
     problems.push_back("the two machines have opposite aspects (signs of det A)");

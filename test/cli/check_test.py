@@ -56,8 +56,8 @@ class Check(CommandTest):
     def test_joint_limits(self):
         urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.2))
         box = ((0.05, 0.05, 0.05), (0.28, 0.28, 0.28))
-        self.assertEqual(self.check(urdf, *box)["verdict"], "inside")
-        refused = self.check(urdf, *box, "--joint-limits", "on")
+        self.assertEqual(self.check(urdf, *box, "--joint-limits", "off")["verdict"], "inside")
+        refused = self.check(urdf, *box)
         self.assertEqual(refused["verdict"], "outside")
         self.assertRegex(refused["message"], r"joint 'rail_.' would be at -?[0-9.]+ m, "
                          r"(below its lower limit of -0.1|above its upper limit of 0.2) m")

@@ -122,7 +122,7 @@ class Compare(CommandTest):
         self.assertGreater(parallel["least"][0], 0.42)
 
     def test_one_machine_and_flat_shapes(self):
-        answer = self.answer("compare", "--urdf", URANESX, "--shape", "square")["machines"]
+        answer = self.answer("compare", "--urdf", URANESX, "--shape", "square", "--joint-limits", "off")["machines"]
         self.assertEqual(len(answer), 1)
         self.assertNotIn("volume_ratio", answer[0]["figures"])
         for stroke, across in zip(answer[0]["figures"]["stroke"], answer[0]["figures"]["across"]):
@@ -135,6 +135,15 @@ class Compare(CommandTest):
         self.assertTrue(0.4 <= math.sqrt(volume / (math.pi * height**3)) <= 0.8)
         for found in answer["singularities"]["region"].values():
             self.assertIs(found["exists"], False)
+
+    def test_the_other_aspect(self):
+        own, other = (self.answer("compare", "--urdf", ORTHOGLIDE, "--aspect", aspect)["machines"][0]
+                      for aspect in ("own", "other"))
+        self.assertEncloses(other["figures"]["size"], 0.062854514, 1e-9)  # docs/values.md
+        lower, upper = other["figures"]["workspace_volume"]
+        self.assertLess(upper - lower, 0.006 * upper)
+        self.assertGreater(lower, other["figures"]["region_volume"][1])
+        self.assertEqual((own["aspect"], other["aspect"]), ("own", "other"))
 
     def test_no_region_has_no_figures(self):
         answer = self.answer("compare", "--urdf", ORTHOGLIDE, "--psi-min", 1.2, "--psi-max", 1.3)["machines"][0]

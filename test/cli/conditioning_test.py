@@ -36,7 +36,7 @@ class Conditioning(AnalysisTest):
         self.assertBrackets(answer["index"][0], 0.5, answer["index"][1], 1e-8)
 
     def test_the_whole_set_and_its_budget(self):
-        answer = self.answer("conditioning", "--urdf", URANESX, "--accuracy", 0.1)
+        answer = self.answer("conditioning", "--urdf", URANESX, "--joint-limits", "off", "--accuracy", 0.1)
         self.assertTrue(answer["complete"])
         self.assertEqual(answer["over"], "set")
         self.assertBrackets(0.25, answer["index"][0], answer["index"][1])
@@ -61,6 +61,8 @@ class Conditioning(AnalysisTest):
         for words, reason in (((*CUBE[:-2],), "--center and --size go together"),
                               (("--shape", "sphere"), "--shape needs --center and --size"),
                               ((*CUBE, "--max-memory", "4095"), "max-memory 4095: must be at least 4096 bytes"),
+                              ((*CUBE, "--aspect", "other"), "all points of a region count: leave out --aspect"),
+                              ((*CUBE, "--psi-min", "0.4"), "all points of a region count: leave out --psi-min"),
                               ((*CUBE, "--accuracy", "0"), "accuracy.*> 0"),
                               ((*CUBE[:-1], "-1"), "size.*> 0 m")):
             self.assertRefused(reason, "conditioning", "--urdf", ORTHOGLIDE, *words)

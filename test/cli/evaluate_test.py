@@ -24,7 +24,7 @@ class Evaluate(CommandTest):
         self.assertAlmostEqual(answer["condition"], 1, places=12)
         self.assertAlmostEqual(answer["serial_singularity"], 1, places=12)
         self.assertAlmostEqual(answer["parallel_singularity"], 1, places=12)
-        for key in ("reachable", "dextrous", "aspect_ok"):
+        for key in ("within_reach", "dextrous", "aspect_ok"):
             self.assertIs(answer[key], True, key)
 
     def test_diagonal_of_the_orthoglide(self):
@@ -47,7 +47,7 @@ class Evaluate(CommandTest):
         for name, urdf in MACHINES.items():
             with self.subTest(name):
                 answer = self.evaluate(urdf, (2, 0, 0))
-                self.assertIs(answer["reachable"], False)
+                self.assertIs(answer["within_reach"], False)
                 self.assertIs(answer["dextrous"], False)
                 for key in ("psi", "rho", "condition", "aspect_ok"):
                     self.assertIsNone(answer[key], key)
@@ -55,10 +55,20 @@ class Evaluate(CommandTest):
 
     def test_other_aspect_is_not_dextrous(self):
         answer = self.evaluate(ORTHOGLIDE, (-0.546, -0.546, -0.546))
-        self.assertIs(answer["reachable"], True)
+        self.assertIs(answer["within_reach"], True)
         self.assertIs(answer["aspect_ok"], False)
         self.assertIs(answer["dextrous"], False)
-        self.assertRegex(answer["message"], "det A has the sign of the other aspect")
+        self.assertRegex(answer["message"], "not dextrous in the machine's own aspect: det A has the sign of the other")
+
+    def test_within_reach_and_reachable_are_two_things(self):
+        point = (-0.546, -0.546, -0.546)
+        text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--set", "reachable", "--point", *point)
+        self.assertRegex(text, r"within reach +yes \(proved\)\n +reachable +no \(proved\)\n")
+        self.assertRegex(text, r"The point is not reachable in the machine's own aspect: det A")
+        for aspect, words in (("other", "in the machine's other aspect"), ("both", "in either aspect")):
+            answer = self.evaluate(ORTHOGLIDE, point, "--aspect", aspect)
+            self.assertIs(answer["dextrous"], True)
+            self.assertEqual(answer["message"], f"The point is dextrous {words}.")
 
     def test_psi_bounds_decide(self):
         point = (0.3, 0.3, 0.3)
@@ -104,19 +114,20 @@ class Evaluate(CommandTest):
         answer = self.evaluate(ORTHOGLIDE, (0, 0, 0), "--psi-min", 1, "--psi-max", 1)
         self.assertIsNone(answer["dextrous"])
 
-    def test_joint_limits_decide_only_when_asked_for(self):
+    def test_joint_limits_decide_unless_they_are_left_aside(self):
         urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.1))
         point = (0.25, 0, 0)
-        self.assertIs(self.evaluate(urdf, point)["dextrous"], True)
-        self.assertIs(self.evaluate(urdf, point)["joint_limits"], False)
-        refused = self.evaluate(urdf, point, "--joint-limits", "on")
+        free = self.evaluate(urdf, point, "--joint-limits", "off")
+        self.assertEqual((free["dextrous"], free["joint_limits"]), (True, False))
+        refused = self.evaluate(urdf, point)
+        self.assertIs(refused["joint_limits"], True)
         self.assertIs(refused["dextrous"], False)
-        self.assertIs(refused["reachable"], True)
+        self.assertIs(refused["within_reach"], True)
         self.assertRegex(refused["message"], "joint 'rail_x' would be at 0.25 m, above its upper limit of 0.1 m")
 
     def test_text_names_values_with_units(self):
         text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--point", "-0.1", "0", "0.2")
-        for line in (r"reachable +yes \(proved\)", r"psi +[0-9.]+  [0-9.]+  [0-9.]+", r"rho( +-?[0-9.]+ m){3}"):
+        for line in (r"within reach +yes \(proved\)", r"psi +[0-9.]+  [0-9.]+  [0-9.]+", r"rho( +-?[0-9.]+ m){3}"):
             self.assertRegex(text, line)
 
 

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 from pkm import MACHINES, URDF, CommandTest
 
 MACHINE = {"urdf", "rails", "tcp-links"}
-CRITERION = {"set", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
+CRITERION = {"set", "aspect", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
 BUDGET = {"time-limit", "max-boxes", "threads", "progress"}
 COMMON = {"json", "help"}
 OPTIONS = {
@@ -21,7 +21,8 @@ OPTIONS = {
     "check": MACHINE | CRITERION | COMMON | {"center", "centers", "sides", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "max-memory", "save", "resume", "list-boxes"},
-    "compare": MACHINE | CRITERION | BUDGET | COMMON | {"paper", "shape", "proportions", "ratio", "accuracy"},
+    "compare": MACHINE | CRITERION | BUDGET | COMMON
+    | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},
     "study": MACHINE | CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
     "singularities": MACHINE | (BUDGET - {"progress"}) | COMMON
@@ -49,8 +50,8 @@ class Help(CommandTest):
         text = re.sub(r"\s+", " ", self.text("largest", "--help"))
         for option, fact in (("--psi-min NUMBER", "> 0, without unit [default 0.5]"),
                              ("--psi-max NUMBER", "> 0, without unit [default 2]"),
-                             ("--accuracy NUMBER", "> 0 m [default 0.001 m]"),
-                             ("--joint-limits on|off", "[default off]"),
+                             ("--accuracy NUMBER", "a thousandth of the longest strut, to one digit; > 0 m"),
+                             ("--joint-limits on|off", "[default on]"),
                              ("--shape cube|square|box|sphere|disc|cylinder", "[default cube]"),
                              ("--threads COUNT", "from 1 to 1024 [default "),
                              ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),

@@ -100,7 +100,7 @@ class Largest(CommandTest):
         self.assertBrackets(sphere["size"], 0.53037, sphere["size_upper_bound"], 1e-6)
         self.assertEqual(sphere["dimensions"], [sphere["size"]])
         self.assertLessEqual(sphere["volume"], 4 / 3 * 3.1415926535 * sphere["size"]**3 * (1 + 1e-9))
-        disc = self.largest(URANESX, "--shape", "disc")
+        disc = self.largest(URANESX, "--shape", "disc", "--joint-limits", "off")
         self.assertBrackets(disc["size"], 0.355406, disc["size_upper_bound"], 1e-5)
         self.assertEqual(disc["dimensions"], [0, disc["size"]])
         cylinder = self.largest(ORTHOGLIDE, "--shape", "cylinder", "--ratio", 0.5, 0.5)
@@ -121,8 +121,8 @@ class Largest(CommandTest):
 
     def test_joint_limits(self):
         urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.2))
-        self.assertProven(self.largest(urdf), CUBE, 1e-12)
-        answer = self.largest(urdf, "--joint-limits", "on", "--max-boxes", 20000)
+        self.assertProven(self.largest(urdf, "--joint-limits", "off"), CUBE, 1e-12)
+        answer = self.largest(urdf, "--max-boxes", 20000)
         self.assertIs(answer["joint_limits"], True)
         self.assertEqual(answer["status"], "proven")
         self.assertLess(answer["size_upper_bound"], 0.3)
@@ -146,6 +146,19 @@ class Largest(CommandTest):
         text = self.text("largest", "--urdf", ORTHOGLIDE, "--psi-min", 0.99, "--psi-max", 0.995)
         self.assertRegex(text, r"status +none")
 
+    def test_the_aspect_is_said_and_may_be_chosen(self):
+        other = self.largest(ORTHOGLIDE, "--aspect", "other", "--accuracy", 1e-5)
+        self.assertBrackets(other["size"], 0.062854514, other["size_upper_bound"])  # docs/values.md
+        self.assertEqual(other["aspect"], "other")
+        both = self.largest(ORTHOGLIDE, "--set", "reachable", "--aspect", "both")
+        self.assertBrackets(both["size"], math.sqrt(2), both["size_upper_bound"])
+        for words, said in (((), "dextrous in the machine's own aspect"),
+                            (("--aspect", "other"), "dextrous in the machine's other aspect"),
+                            (("--set", "reachable", "--aspect", "both"), "reachable in either aspect"),
+                            (("--set", "reachable", "--max-boxes", 10), "reachable in the machine's own aspect")):
+            text = re.sub(r"\s+", " ", self.text("largest", "--urdf", ORTHOGLIDE, *words))
+            self.assertRegex(text, f"Proved: .*, has all its points {said}\\.")
+
     def test_threads_prove_the_same(self):
         self.assertProven(self.largest(ORTHOGLIDE, "--threads", 2), CUBE, 1e-12)
 
@@ -165,7 +178,7 @@ class Largest(CommandTest):
     def test_text_never_claims_more_than_the_numbers(self):
         for urdf, shape in ((ORTHOGLIDE, "cube"), (URANESX, "square")):
             for accuracy in (1e-2, 1e-4, 3e-6):
-                words = ("--urdf", urdf, "--shape", shape, "--accuracy", accuracy)
+                words = ("--urdf", urdf, "--shape", shape, "--accuracy", accuracy, "--joint-limits", "off")
                 answer, text = self.answer("largest", *words), self.text("largest", *words)
                 number = lambda pattern: Fraction(re.search(pattern, text).group(1))
                 self.assertLessEqual(number(r"edge \[m\] +(\S+)"), Fraction(answer["size"]))

@@ -70,8 +70,8 @@ class Path(CommandTest):
     def test_joint_limits(self):
         limited = self.file("limited.urdf", self.with_limits(ORTHOGLIDE, -0.05, 0.2))
         lines = ("start 0 0 0", "line -0.1 0 0")
-        self.assertEqual(self.path(*lines, urdf=limited)["verdict"], "inside")
-        answer = self.path(*lines, urdf=limited, options=("--joint-limits", "on"))
+        self.assertEqual(self.path(*lines, urdf=limited, options=("--joint-limits", "off"))["verdict"], "inside")
+        answer = self.path(*lines, urdf=limited)
         self.assertEqual(answer["first"]["binding"]["joint"], "rail_x")
         self.assertEqual(answer["first"]["binding"]["limit"], "joint_lower")
         self.assertAlmostEqual(answer["first"]["bad_at"], 0.5, places=9)

@@ -41,11 +41,23 @@ class Pave(CommandTest):
         self.assertEqual(widths, sorted(widths, reverse=True))
 
     def test_reachable_volume_of_the_orthoglide(self):
-        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--resolution", 0.05)
+        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--aspect", "both", "--resolution", 0.05)
         self.assertVolume(answer, REACHABLE)
         self.assertVolume(answer["own_aspect"], REACHABLE_OWN, 1e-3)
         self.assertVolume(answer["other_aspect"], REACHABLE - REACHABLE_OWN, 1e-3)
         self.assertNotIn("psi_min", answer)
+
+    def test_the_aspect_is_the_machine_s_own_unless_another_is_asked_for(self):
+        for words, volume, other in (((), DEXTROUS, DEXTROUS_OTHER),
+                                     (("--set", "reachable"), REACHABLE_OWN, REACHABLE - REACHABLE_OWN)):
+            own = self.pave(ORTHOGLIDE, *words, "--resolution", 0.05)
+            self.assertVolume(own, volume, 1e-3)
+            self.assertEqual(own["aspect"], "own")
+            opposite = self.pave(ORTHOGLIDE, *words, "--resolution", 0.05, "--aspect", "other")
+            self.assertVolume(opposite, other, 1e-3)
+            self.assertEqual(opposite["aspect"], "other")
+            self.assertEqual((own["own_aspect"], own["other_aspect"]),
+                             (opposite["own_aspect"], opposite["other_aspect"]))
 
     def test_box_bounds_what_is_looked_at(self):
         answer = self.pave(ORTHOGLIDE, "--box", -0.1, 0.1, 0, 0.1, -0.1, 0)
@@ -54,8 +66,8 @@ class Pave(CommandTest):
         self.assertEqual(answer["boxes_boundary"], 0)
 
     def test_uranesx_in_a_box(self):
-        answer = self.pave(URANESX, "--box", -0.5, 0.5, -0.5, 0.5, 0, 0.5)
-        twice = self.pave(URANESX, "--box", -0.5, 0.5, -0.5, 0.5, 0, 1)
+        answer = self.pave(URANESX, "--joint-limits", "off", "--box", -0.5, 0.5, -0.5, 0.5, 0, 0.5)
+        twice = self.pave(URANESX, "--joint-limits", "off", "--box", -0.5, 0.5, -0.5, 0.5, 0, 1)
         self.assertGreater(answer["volume_lower"], 0.1)
         self.assertBrackets(twice["volume_lower"], 2 * answer["volume_upper"], math.inf)
         self.assertBrackets(0, 2 * answer["volume_lower"], twice["volume_upper"])
@@ -78,7 +90,7 @@ class Pave(CommandTest):
                 self.assertVolume(answer, DEXTROUS, 1e-3)
 
     def test_uranesx_without_a_box_is_a_plane(self):
-        words = ("--resolution", 0.01)
+        words = ("--resolution", 0.01, "--joint-limits", "off")
         area, text = self.pave(URANESX, *words), self.text("pave", "--urdf", URANESX, *words)
         self.assertEqual(area["dimension"], 2)
         self.assertEqual(area["box"]["lower"][2], area["box"]["upper"][2])
@@ -86,7 +98,7 @@ class Pave(CommandTest):
         self.assertEqual(area["own_aspect"]["area_lower"], area["area_lower"])
         self.assertEqual(area["other_aspect"]["area_upper"], 0)
         self.assertRegex(text, r"area +\S+ to \S+ m\^2\n")
-        self.assertRegex(text, "points of the box have an area of(.|\n)*in every\\s+plane parallel")
+        self.assertRegex(text, r"points of the box that(.|\n)* have\s+an\s+area\s+of(.|\n)*in every\s+plane parallel")
         x0, y0, z = area["box"]["lower"]
         x1, y1, _ = area["box"]["upper"]
         solid = self.pave(URANESX, *words, "--box", x0, x1, y0, y1, z, z + 0.1)
@@ -96,7 +108,8 @@ class Pave(CommandTest):
 
     def test_resumed_run_answers_as_a_new_one(self):
         file = self.folder / "it.paving"
-        for urdf, words in ((ORTHOGLIDE, ()), (ORTHOGLIDE, ("--set", "reachable")), (URANESX, ())):
+        for urdf, words in ((ORTHOGLIDE, ()), (ORTHOGLIDE, ("--set", "reachable", "--aspect", "both")),
+                            (URANESX, ("--joint-limits", "off"))):
             with self.subTest((urdf, words)):
                 first = self.pave(urdf, *words, "--resolution", 0.1, "--max-boxes", 3000, "--save", file)
                 again = self.pave(urdf, *words, "--resolution", 0.04, "--resume", file, "--save", file)
@@ -177,11 +190,12 @@ class Pave(CommandTest):
         self.assertNotIn("listed", self.pave(ORTHOGLIDE, "--resolution", 0.1))
 
     def test_reachable_volume_is_closer_than_its_boxes(self):
-        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--resolution", 0.1)
+        answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--aspect", "both", "--resolution", 0.1)
         self.assertVolume(answer, REACHABLE)
         self.assertLess(answer["volume_upper"] - answer["volume_lower"], 0.02 * REACHABLE)
-        plane = self.pave(URANESX, "--set", "reachable", "--resolution", 0.05)
-        finer = self.pave(URANESX, "--set", "reachable", "--resolution", 0.01)
+        flat = ("--set", "reachable", "--joint-limits", "off")
+        plane = self.pave(URANESX, *flat, "--resolution", 0.05)
+        finer = self.pave(URANESX, *flat, "--resolution", 0.01)
         self.assertLessEqual(plane["area_lower"], finer["area_upper"])
         self.assertGreaterEqual(plane["area_upper"], finer["area_lower"])
 

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 PKM = os.environ["PKM"]
 URDF = pathlib.Path(__file__).resolve().parents[2] / "urdf"
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 ORTHOGLIDE = str(URDF / "orthoglide.urdf")
 URANESX = str(URDF / "uranesx.urdf")
 MACHINES = {"orthoglide": ORTHOGLIDE, "uranesx": URANESX}

@@ -5,13 +5,15 @@
 import subprocess
 import unittest
 
-from pkm import ORTHOGLIDE, PKM, URANESX, CommandTest, run
+from pkm import DATA, ORTHOGLIDE, PKM, URANESX, CommandTest, run
 
 EVALUATE = f"evaluate --urdf {ORTHOGLIDE} "
 LARGEST = f"largest --urdf {ORTHOGLIDE} "
 CHECK = f"check --urdf {ORTHOGLIDE} "
 PAVE = f"pave --urdf {ORTHOGLIDE} "
 COMPARE = f"compare --urdf {ORTHOGLIDE} "
+# rails that lean by a tenth of a degree: without their limits the tool might go up a hundred metres
+UNBOUNDED = f"{{}} --urdf {DATA / 'lean_rails.urdf'} --joint-limits off"
 URANESX_STUDY = "study --machine uranesx --parameter R-r "
 
 # command line, and a regular expression for a line of standard error
@@ -34,7 +36,9 @@ REFUSALS = [
     (LARGEST + "--psi-min 0.4 --psi-min 0.5", "--psi-min 0.5: the option is given a second time"),
     (LARGEST + "--psi-min 0", "--psi-min 0: 0 is out of range; allowed: > 0, without unit"),
     (LARGEST + "--psi-max -2", "--psi-max -2: -2 is out of range; allowed: > 0, without unit"),
-    (LARGEST + "--psi-max 0.4", "--psi-max 0.4: psi_max = 0.4.* must be at least psi_min"),
+    (LARGEST + "--psi-max 0.4", r"--psi-max 0.4: psi_max = 0.4\S* must be at least psi_min = 0.5 \(the default\) "),
+    (LARGEST + "--psi-min 3", r"--psi-min 3: psi_max = 2 \(the default\) must be at least psi_min = 3 \(trans"),
+    (LARGEST + "--psi-min 3 --psi-max 2.5", r"psi_max = 2.5 must be at least psi_min = 3 \(trans"),
     (LARGEST + "--psi-min 1e-200", "--psi-min 1e-200: psi_min = .* must be positive and finite"),
     (LARGEST + "--psi-min half", "--psi-min half: 'half' is not a number; allowed: > 0"),
     (LARGEST + "--psi-min 0.5x", "--psi-min 0.5x: '0.5x' is not a number"),
@@ -74,10 +78,14 @@ REFUSALS = [
     (EVALUATE + f"--points {__file__}", r"--points \S*: line [0-9]+: needs 3 numbers \(X Y Z\), got"),
     (EVALUATE + f"--point 0 0 0 --points {__file__}", "line [0-9]+: "),
     (LARGEST + "--set all", "--set all: 'all' is not known; allowed: dextrous, reachable"),
+    (LARGEST + "--aspect any", "--aspect any: 'any' is not known; allowed: own, other, both"),
+    (LARGEST + "--aspect both", "a region with bounded factors lies in one aspect"),
+    (COMPARE + "--set reachable --aspect both", "machines are compared in one aspect: ask for their own or for the"),
+    ("compare --paper --aspect own", "--paper: .*leave out --aspect"),
     (LARGEST + "--set reachable --psi-max 3", "--set reachable, --psi-max 3: a reachable set has no"),
     (LARGEST + "--kappa-max 0.9", "--kappa-max 0.9: 0.9 is out of range; allowed: >= 1, without unit"),
     (LARGEST + "--force-min 0", "--force-min 0: 0 is out of range; allowed: > 0, without unit"),
-    (LARGEST + "--force-min 2 --force-max 1", "--force-min 2, --force-max 1: force_max = 1.* at least force_min"),
+    (LARGEST + "--force-min 2 --force-max 1", "--force-max 1: force_max = 1 must be at least force_min = 2 "),
     (EVALUATE + "--point", r"--point: needs 3 values \(X Y Z\), got 0"),
     (EVALUATE + "--point 1 2", r"--point 1 2: needs 3 values \(X Y Z\), got 2"),
     (EVALUATE + "--point 1 2 -inf", r"--point 1 2 -inf: -inf is not a finite number .*; allowed: a number \[m\]"),
@@ -119,7 +127,15 @@ REFUSALS = [
     (URANESX_STUDY + "--range 0.5 0.3", "--range 0.5 0.3: LO is larger than HI"),
     (URANESX_STUDY + "--range 0.3 1.5", "--range 0.3 1.5, .*: R - r = .* must lie between 0 and the strut length"),
     (URANESX_STUDY + "--range 0.3 0.5 --shape cylinder --ratio 0.5 1", "--ratio 0.5 1: .*one shape"),
-    (URANESX_STUDY + "--range 0.3 0.5 --shape box --proportions 0 0 1", "along the rails can be as long as one likes"),
+    (URANESX_STUDY + "--range 0.3 0.5 --shape box --proportions 0 0 1",
+     "along the rails can be as long as one likes: ask for another shape$"),
+    (f"largest --urdf {URANESX} --joint-limits off --shape box --proportions 0 0 1",
+     "along the rails can be as long as one likes: ask for --joint-limits on, or for another shape$"),
+    (UNBOUNDED.format("largest"), "longer than 1000 struts: ask for --joint-limits on, or for a --search-box within"),
+    (UNBOUNDED.format("pave"), "longer than 1000 struts: ask for --joint-limits on, or for a --box$"),
+    (UNBOUNDED.format("compare"), "longer than 1000 struts: ask for --joint-limits on$"),
+    (UNBOUNDED.format("singularities"), "1000 struts: ask for --joint-limits on, or for a region by --shape, --center"),
+    (UNBOUNDED.format("conditioning"), "1000 struts: ask for --joint-limits on, or for a region by --shape, --center"),
     (f"study --range 0 1 --urdf {ORTHOGLIDE} --urdf {URANESX}", "opposite working modes"),
     ("urdf", r"--machine orthoglide\S*\|uranesx: the option is missing"),
     ("urdf --machine delta", "--machine delta: 'delta' is not known; allowed: orthoglide, "),

@@ -43,7 +43,8 @@ class Study(CommandTest):
     def test_between_two_machines(self):
         """Scaled from L = 1 m to 1.25 m, the largest cube grows with it."""
         larger = self.machine("--machine", "orthoglide", "--length", 1.25)
-        answer = self.answer("study", "--urdf", ORTHOGLIDE, "--urdf", larger, "--range", 0, 1, "--accuracy", 0.02)
+        answer = self.answer("study", "--urdf", ORTHOGLIDE, "--urdf", larger, "--range", 0, 1, "--accuracy", 0.02,
+                             "--joint-limits", "off")
         self.assertEqual(answer["status"], "proven")
         self.assertGreater(answer["parameter"], 0.9)
         edge = 1.25 * (1 / math.sqrt(6) + 1 / (3 * math.sqrt(2)))

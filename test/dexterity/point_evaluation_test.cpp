@@ -99,7 +99,7 @@ TEST(PointEvaluation, knowsTheIsotropicPoint)
 {
   const PointEvaluation there = evaluatePoint(orthoglide(), everything(), Vector3d::Zero());
   EXPECT_EQ(there.verdict, BoxVerdict::INSIDE);
-  EXPECT_EQ(there.reachable, BoxVerdict::INSIDE);
+  EXPECT_EQ(there.within_reach, BoxVerdict::INSIDE);
   ASSERT_TRUE(there.has_values);
   EXPECT_TRUE(there.condition.contains(1.0));
   EXPECT_LE(there.condition.width(), 1e-11);
@@ -113,7 +113,7 @@ TEST(PointEvaluation, hasOnlyTheReachWhereAStrutIsTooShort)
 {
   const PointEvaluation there = evaluatePoint(orthoglide(), Criterion(), { 0.9, 0.9, 0.0 });
   EXPECT_EQ(there.verdict, BoxVerdict::OUTSIDE);
-  EXPECT_EQ(there.reachable, BoxVerdict::OUTSIDE);
+  EXPECT_EQ(there.within_reach, BoxVerdict::OUTSIDE);
   EXPECT_FALSE(there.has_values);
   EXPECT_EQ(there.limits.size(), 3U);
   EXPECT_EQ(there.binding().kind, Limit::Kind::REACH);

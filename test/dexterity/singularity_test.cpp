@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/joint_ranges.h"
 #include "pkm_workspace/region/region_parts.h"
@@ -241,7 +242,7 @@ TEST(Singularity, answersDoNotDependOnThreads)
 TEST(Singularity, refusesWhatHasNoAnswer)
 {
   SingularityQuery query;
-  test::expectThrow<std::invalid_argument>([&] { findSingularities(uranesx(), query); }, "parallel");
+  test::expectThrow<Unbounded>([&] { findSingularities(uranesx(), query); }, "parallel");
   query.accuracy = 0.0;
   query.budget.threads = 0;
   test::expectThrow<std::invalid_argument>([&] { findSingularities(orthoglide(), query); }, "accuracy");

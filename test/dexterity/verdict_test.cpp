@@ -173,7 +173,7 @@ TEST(Criterion, refusesEverythingThatIsOutOfRangeAtOnce)
   test::expectThrow<std::invalid_argument>(construct, "psi_max = -1 .*must be positive");
   criterion.psi_min = 2.5;
   criterion.psi_max = 2.0;
-  test::expectThrow<std::invalid_argument>(construct, "psi_max = 2 .*at least psi_min");
+  test::expectThrow<std::invalid_argument>(construct, "psi_max = 2 must be at least psi_min = ");
   criterion.psi_max = std::numeric_limits<double>::quiet_NaN();
   test::expectThrow<std::invalid_argument>(construct, "psi_max = nan");
   criterion.force_min = -1.0;
@@ -182,7 +182,7 @@ TEST(Criterion, refusesEverythingThatIsOutOfRangeAtOnce)
   test::expectThrow<std::invalid_argument>(construct, "kappa_max = 0.5 .*at least 1");
   criterion.force_min = 2.0;
   criterion.force_max = 1.0;
-  test::expectThrow<std::invalid_argument>(construct, "force_max = 1 .*at least force_min");
+  test::expectThrow<std::invalid_argument>(construct, "force_max = 1 must be at least force_min = ");
 }
 
 TEST(Criterion, forceFactorsBoundTheVelocityFactorsFromTheOtherSide)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "paving/pavings.h"
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
 
@@ -124,12 +125,12 @@ TEST(Paving, findsItsOwnBoxAndRefusesAnUnboundedOne)
   const Paving paving = pave(orthoglide(), wanted);
   EXPECT_LE(paving.box.lower.maxCoeff(), -0.8);
   EXPECT_GE(paving.box.upper.minCoeff(), 0.8);
-  test::expectThrow<std::invalid_argument>([&] { pave(test::nearlyParallel(), wanted); }, "parallel.*give a box");
+  test::expectThrow<Unbounded>([&] { pave(test::nearlyParallel(), wanted); }, "parallel.*1000 struts$");
   wanted.criterion.joint_limits = true;  // of which the machine has one, upward only
   Machine::Legs legs = uranesx().legs();
   legs[1].limits = Interval(-0.1, std::numeric_limits<double>::infinity());
   const Machine half_bounded("half_bounded", legs, uranesx().zero());
-  test::expectThrow<std::invalid_argument>([&] { pave(half_bounded, wanted); }, "parallel.*give a box");
+  test::expectThrow<Unbounded>([&] { pave(half_bounded, wanted); }, "parallel.*1000 struts$");
 }
 
 TEST(PavingQuery, refusesEverythingThatIsOutOfRangeAtOnce)

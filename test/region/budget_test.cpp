@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -119,15 +120,14 @@ TEST(RegionQuery, refusesWhatHasNoBound)
 {
   RegionQuery query;
   query.shape = makeBox({ 0.0, 0.0, 1.0 });
-  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(uranesx(), query); }, "as long as one likes");
+  test::expectThrow<Unbounded>([&] { findLargestRegion(uranesx(), query); }, "as long as one likes$");
 
   Machine::Legs legs = uranesx().legs();
   const Interval length = norm(IntervalVector{ 1e-9, 0.0, 1.0 });
   legs[0].axis = { Interval(1e-9) / length, 0.0, Interval(1.0) / length };
   const Machine nearly("nearly parallel", legs, uranesx().zero());
   query.shape = makeSquare();
-  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(nearly, query); },
-                                           "parallel.*joint limits or give a search box");
+  test::expectThrow<Unbounded>([&] { findLargestRegion(nearly, query); }, "parallel.*longer than 1000 struts$");
   query.search_box = Box{ { -0.1, -0.1, -1.0 }, { 0.1, 0.1, -0.8 } };
   EXPECT_EQ(findLargestRegion(nearly, query).status, LargestRegion::Status::PROVEN);
 }
@@ -141,8 +141,12 @@ TEST(RegionQuery, refusesParallelRailsWithHalfOfTheirLimits)
   RegionQuery query;
   query.shape = makeSquare();
   query.criterion.joint_limits = true;
-  test::expectThrow<std::invalid_argument>([&] { findLargestRegion(half, query); },
-                                           "parallel.*joint limits or give a search box");
+  const auto refused = [&] { findLargestRegion(half, query); };
+  test::expectThrow<std::invalid_argument>(
+      [&] {
+        withRemedy({ "limits", "a box" }, [&] { return refused(); });
+      },
+      "parallel.*: ask for closer joint limits at both ends of each rail, or for a box$");
   query.search_box = Box{ half.zero() - Eigen::Vector3d::Constant(0.5), half.zero() + Eigen::Vector3d::Constant(0.5) };
   const LargestRegion within = findLargestRegion(half, query);
   EXPECT_EQ(within.status, LargestRegion::Status::PROVEN);

@@ -23,6 +23,7 @@ NODE = "/pkm_workspace_node"
 PATIENCE = 60.0
 LONG = rospy.Duration(PATIENCE)
 LIMITS = CriterionRequest(joint_limits=CriterionRequest.ON)
+FREE = CriterionRequest(joint_limits=CriterionRequest.OFF)
 # Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
 ENDLESS = FindLargestRegionGoal(RegionRequest(criterion=LIMITS, accuracy=1e-14, time_limit=86400.0))
 ENDLESS_PAVING = ApproximateWorkspaceGoal(PavingRequest(criterion=LIMITS, resolution=1e-4, time_limit=86400.0))
@@ -122,7 +123,8 @@ class ActionsTest(unittest.TestCase):
             (finder(), FindLargestRegionGoal(RegionRequest(accuracy=-1.0)), "accuracy = -1"),
             (finder(), FindLargestRegionGoal(RegionRequest(time_limit=86401.0)),
              "time_limit = 86401 s must be positive and at most 86400 s, or 0 for the node's ~time_limit, 60 s"),
-            (paver(), ApproximateWorkspaceGoal(PavingRequest(aspect=3)), "aspect = 3 must be OWN"),
+            (paver(), ApproximateWorkspaceGoal(PavingRequest(criterion=CriterionRequest(aspect=4))),
+             "aspect = 4 must be OWN"),
         ]:
             client.send_goal(goal)
             result = self.finish(client)
@@ -155,7 +157,8 @@ class ActionsTest(unittest.TestCase):
         self.assertFalse(self.finish(endless).workspace.complete)
 
     def test_shows_the_set_by_verdict(self):
-        computed = service("compute_workspace", ComputeWorkspace)(PavingRequest(resolution=0.01)).workspace
+        computed = service("compute_workspace", ComputeWorkspace)(
+            PavingRequest(criterion=FREE, resolution=0.01)).workspace
         latched = rospy.wait_for_message(f"{NODE}/workspace", Workspace, PATIENCE)
         while latched.header.stamp != computed.header.stamp:  # the answer is there first
             latched = rospy.wait_for_message(f"{NODE}/workspace", Workspace, PATIENCE)

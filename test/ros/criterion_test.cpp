@@ -44,6 +44,29 @@ TEST(SetCriterion, computesAgainAndLatches)
   await<Region>(NODE + "/region", [](const Region& latched) { return latched.hypotheses.psi_max == 2.0; });
 }
 
+TEST(SetCriterion, takesInfinityForNoneWhereTheMessageSaysSo)
+{
+  constexpr double INF = std::numeric_limits<double>::infinity();
+  using Field = double CriterionRequest::*;
+  const std::pair<Field, const char*> bounds[] = { { &CriterionRequest::force_min, "force_min" },
+                                                   { &CriterionRequest::force_max, "force_max" },
+                                                   { &CriterionRequest::kappa_max, "kappa_max" },
+                                                   { &CriterionRequest::psi_min, "psi_min" },
+                                                   { &CriterionRequest::psi_max, "psi_max" } };
+  for (const auto& [field, name] : bounds)
+  {
+    CriterionRequest criterion;
+    criterion.*field = INF;
+    const auto response = set(criterion, 0.0);
+    const bool may_be_none = field != &CriterionRequest::psi_min && field != &CriterionRequest::psi_max;
+    EXPECT_EQ(may_be_none, response.error_code == ErrorCode::SUCCESS) << name << ": " << response.message;
+    EXPECT_TRUE(may_be_none || response.message.find(name + std::string(" = inf ")) == 0) << response.message;
+    criterion.*field = -INF;
+    EXPECT_EQ(ErrorCode::INVALID_REQUEST, set(criterion, 0.0).error_code) << name;
+  }
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, set(CriterionRequest(), INF).error_code) << "accuracy";
+}
+
 TEST(SetCriterion, refusesWhatIsOutOfRangeAndChangesNothing)
 {
   constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
@@ -54,7 +77,7 @@ TEST(SetCriterion, refusesWhatIsOutOfRangeAndChangesNothing)
   };
   expectRefused(psi(-1.0, 0.0), 0.0, "psi_min = -1 .*must be positive");
   expectRefused(psi(0.0, NOT_A_NUMBER), 0.0, "psi_max = nan .*must be");
-  expectRefused(psi(3.0, 0.0), 0.0, "psi_max = 2 .*at least psi_min");
+  expectRefused(psi(3.0, 0.0), 0.0, "psi_max = 2 \\(the node's\\) must be at least psi_min = 3 \\(trans");
   expectRefused(CriterionRequest(), -1.0, "accuracy = -1.* m.*must be");
   for (const double accuracy : { 1e300, 1e-300 })
     expectRefused(CriterionRequest(), accuracy,

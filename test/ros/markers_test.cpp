@@ -176,6 +176,7 @@ TEST(Markers, drawAPavingByItselfByVerdict)
   workspace.header.frame_id = "base_link";
   workspace.hypotheses.machine = "orthoglide";
   workspace.hypotheses.set = Hypotheses::DEXTROUS;
+  workspace.hypotheses.aspect = Hypotheses::OWN;
   workspace.hypotheses.psi_min = 0.5;
   workspace.hypotheses.psi_max = 3.0;
   const auto array = markersOf(paving, orthoglide(), workspace);

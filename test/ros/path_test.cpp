@@ -213,14 +213,14 @@ TEST(EvaluatePoint, tellsHowTheMachineStands)
     EXPECT_NEAR(0.0, good.joints[i].upper, 1e-9);
   }
   const auto far = evaluate(3.0, 0.0, 0.0);
-  EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, far.reachable);
+  EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, far.within_reach);
   EXPECT_FALSE(far.has_values);
   EXPECT_EQ(BindingLimit::REACH, far.limit.kind);
   EXPECT_FALSE(far.limit.joint.empty());
   EXPECT_LT(far.limit.margin.upper, 0.0);
   const auto stretched = evaluate(0.45, 0.45, 0.45);
   EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, stretched.verdict);
-  EXPECT_EQ(EvaluatePoint::Response::INSIDE, stretched.reachable);
+  EXPECT_EQ(EvaluatePoint::Response::INSIDE, stretched.within_reach);
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, evaluate(std::nan(""), 0.0, 0.0).error_code);
   const auto beyond = evaluate(1e160, 0.0, 0.0);
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, beyond.error_code);

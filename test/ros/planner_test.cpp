@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/CheckRegion.h>
+#include <pkm_workspace/EvaluatePoint.h>
 
 #include <cmath>
 #include <limits>
@@ -51,6 +53,37 @@ TEST(CheckRegion, hasNoTolerance)
   const Eigen::Vector3d bad(outside.bad_point.x, outside.bad_point.y, outside.bad_point.z);
   EXPECT_LE((bad.array() - CENTER).abs().maxCoeff(), 0.5 * (EDGE + 1e-12));
   EXPECT_EQ(BoxVerdict::OUTSIDE, BoxTest(orthoglide(), Criterion()).classify(bad));
+}
+
+TEST(CheckRegion, isAboutTheAspectThatIsAskedFor)
+{
+  Request request = cube(0.06);
+  request.center.x = request.center.y = request.center.z = -0.545923012;  // docs/values.md
+  EXPECT_EQ(Response::OUTSIDE, check(request).verdict);
+  request.criterion.aspect = CriterionRequest::OTHER;
+  const auto other = check(request);
+  EXPECT_EQ(Response::INSIDE, other.verdict) << other.message;
+  EXPECT_EQ(Hypotheses::OTHER, other.hypotheses.aspect);
+  request.criterion.aspect = CriterionRequest::BOTH;
+  EXPECT_EQ(Response::INSIDE, check(request).verdict);
+}
+
+TEST(CheckRegion, saysWhatItMeansForLimitsThatAreLeftAside)
+{
+  constexpr const char* REMARK = ". Joint limits are off: all rails stay within their limits.";
+  Request request = cube(0.5);
+  EXPECT_EQ(std::string::npos, check(request).message.find("Joint limits"));
+  request.criterion.joint_limits = CriterionRequest::OFF;
+  EXPECT_NE(std::string::npos, check(request).message.find(REMARK));
+  CheckPath::Request path;
+  path.segments.resize(1);
+  path.segments[0].kind = ToolSegment::LINE;
+  path.segments[0].end.x = 0.1;
+  path.criterion = request.criterion;
+  EXPECT_NE(std::string::npos, call<CheckPath>("check_path", path).message.find(REMARK));
+  EvaluatePoint::Request point;
+  point.criterion = request.criterion;
+  EXPECT_NE(std::string::npos, call<EvaluatePoint>("evaluate_point", point).message.find(REMARK));
 }
 
 TEST(CheckRegion, takesSpheresAndCylinders)

@@ -73,7 +73,7 @@ TEST(ComputeLargestRegion, saysWhatItsAnswerHoldsFor)
   EXPECT_FALSE(region.hypotheses.version.empty());
   EXPECT_EQ(0.5, region.hypotheses.psi_min);
   EXPECT_EQ(2.0, region.hypotheses.psi_max);
-  EXPECT_FALSE(region.hypotheses.joint_limits);
+  EXPECT_TRUE(region.hypotheses.joint_limits) << "they hold unless they are left aside";
   EXPECT_FALSE(region.use_search_box);
   EXPECT_GT(region.boxes, 0);
   EXPECT_GT(region.verification_boxes, 0);
@@ -110,6 +110,17 @@ TEST(ComputeLargestRegion, takesTheBoundsOfTheRequest)
   expectProven(response, 1e-3);
   expectBracket(response.region, 0.786583, 1e-5);
   EXPECT_EQ(3.0, response.region.hypotheses.psi_max);
+}
+
+TEST(ComputeLargestRegion, saysWhatItMeansForLimitsThatAreLeftAside)
+{
+  RegionRequest query;
+  EXPECT_EQ(std::string::npos, compute(query).region.message.find("Joint limits are off"));
+  query.criterion.joint_limits = CriterionRequest::OFF;
+  const auto free = compute(query);
+  EXPECT_FALSE(free.region.hypotheses.joint_limits);
+  EXPECT_NE(std::string::npos, free.message.find(". Joint limits are off: all rails stay within their limits."))
+      << free.message;
 }
 
 TEST(ComputeLargestRegion, saysEveryBoundInEffect)
@@ -224,7 +235,7 @@ TEST(GetRegion, givesTheLastAnswer)
 TEST(ComputeLargestRegion, findsTheCubeOfTheOtherAspectAndOfReachAlone)
 {
   RegionRequest other;
-  other.aspect = RegionRequest::OTHER;
+  other.criterion.aspect = CriterionRequest::OTHER;
   other.accuracy = 1e-5;
   const auto response = compute(other);
   expectProven(response, 1e-5);
@@ -233,7 +244,7 @@ TEST(ComputeLargestRegion, findsTheCubeOfTheOtherAspectAndOfReachAlone)
 
   RegionRequest reach;
   reach.criterion.set = CriterionRequest::REACHABLE;
-  reach.aspect = RegionRequest::BOTH;
+  reach.criterion.aspect = CriterionRequest::BOTH;
   expectBracket(compute(reach).region, std::sqrt(2.0), 1e-9);
 }
 

@@ -92,10 +92,10 @@ TEST(FindSingularities, refusesWhatIsOutOfRange)
     const char* message;
   };
   const Case cases[] = {
-    { [](Request& r) { r.over = 4; }, "over = 4 must be REACHABLE = 0" },
+    { [](Request& r) { r.over = 4; }, "over = 4 must be JOINT_LIMITS = 0" },
     { [](Request& r) { r.over = Request::REACHABLE; }, "solid and center must be empty and 0" },
     { [](Request& r) { r.ranges[1].upper = 1.0; }, "ranges must be 0 .*unless over = JOINT_RANGES" },
-    { [](Request& r) { r.aspect = 3; }, "aspect = 3 must be OWN" },
+    { [](Request& r) { r.aspect = 4; }, "aspect = 4 must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for both" },
     { [](Request& r) { r.accuracy = -1.0; }, "accuracy = -1" },
     { [](Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be positive and at most" },
     { [](Request& r) { r.solid.type = 4; }, "solid.type = 4 must be BOX = 1" },

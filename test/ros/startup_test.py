@@ -21,10 +21,13 @@ BAD_PARAMETERS = [
     ({"proportions": [1, 2, 3]}, r"proportions = \(1, 2, 3\).*box only"),
     ({"psi_min": "small"}, r"psi_min = small must be a number > 0"),
     ({"psi_min": 0}, r"psi_min = 0 .*must be positive"),
-    ({"psi_max": 0.25}, r"psi_max = 0.25 .*at least psi_min"),
+    ({"psi_max": 0.25}, r"psi_max = 0.25 must be at least psi_min = 0.5 \(the default\) "),
+    ({"psi_min": 3, "psi_max": 2.5}, r"psi_max = 2.5 must be at least psi_min = 3 \(transmission"),
     ({"psi_max": NAN}, r"psi_max = nan .*must be positive"),
-    ({"accuracy": 0.0}, r"accuracy = 0 .*m.* must be positive"),
+    ({"accuracy": -0.1}, r"accuracy = -0.1\S* m must be positive and finite, or 0 for a thousandth"),
     ({"set": "nice"}, r"set = nice must be a text: dextrous or reachable"),
+    ({"aspect": "any"}, r"aspect = any must be a text: own, other or both"),
+    ({"aspect": "both"}, r"a region with bounded factors lies in one aspect"),
     ({"force_min": -1.0}, r"force_min = -1 .*must be"),
     ({"force_max": "much"}, r"force_max = much must be a number >= force_min, or 0"),
     ({"kappa_max": 0.5}, r"kappa_max = 0.5 .*must be"),
@@ -76,7 +79,8 @@ class StartupTest(unittest.TestCase):
 
     def test_refuses_what_has_no_bounded_answer(self):
         # a segment along parallel rails can be as long as one likes
-        self.expect_refusals([(urdf("uranesx"), {"shape": "box", "proportions": [0, 0, 1]}, r"along the rails")])
+        self.expect_refusals([(urdf("uranesx"), {"joint_limits": False, "shape": "box", "proportions": [0, 0, 1]},
+                               r"along the rails can be as long as one likes: ask for joint_limits, or for another")])
 
     def test_diagnostics_come_as_often_as_asked(self):
         stamps = []

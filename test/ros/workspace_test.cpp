@@ -103,14 +103,14 @@ TEST(ComputeWorkspace, tellsTheAspectsApart)
   PavingRequest query = atResolution(0.1);
   query.criterion.set = CriterionRequest::REACHABLE;
   double sum = 0.0;
-  for (const std::uint8_t aspect : { PavingRequest::OWN, PavingRequest::OTHER })
+  for (const std::uint8_t aspect : { CriterionRequest::OWN, CriterionRequest::OTHER })
   {
-    query.aspect = aspect;
+    query.criterion.aspect = aspect;
     const Workspace workspace = approximate(query).workspace;
     EXPECT_EQ(aspect, workspace.hypotheses.aspect);
     sum += workspace.volume_lower_bound;
   }
-  query.aspect = PavingRequest::BOTH;
+  query.criterion.aspect = CriterionRequest::BOTH;
   const Workspace both = approximate(query).workspace;
   EXPECT_GE(both.volume_upper_bound, sum);
   EXPECT_EQ(Hypotheses::REACHABLE, both.hypotheses.set);
@@ -124,7 +124,7 @@ TEST(ComputeWorkspace, refusesWhatIsOutOfRange)
     const char* message;
   };
   const Case cases[] = {
-    { [](PavingRequest& q) { q.aspect = 3; }, "aspect = 3 must be OWN = 0, OTHER = 1 or BOTH = 2" },
+    { [](PavingRequest& q) { q.criterion.aspect = 4; }, "aspect = 4 must be OWN = 1, OTHER = 2 or BOTH = 3" },
     { [](PavingRequest& q) { q.resolution = -0.1; }, "resolution = -0.1.* m must be positive" },
     { [](PavingRequest& q) { q.resolution = std::numeric_limits<double>::quiet_NaN(); }, "resolution = nan" },
     { [](PavingRequest& q) { q.max_memory = 5; },

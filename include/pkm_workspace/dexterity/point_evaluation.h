@@ -42,8 +42,8 @@ std::string name(Limit::Kind kind);
 /// The machine at one tool point. Enclosures, except where it says otherwise.
 struct PointEvaluation
 {
-  BoxVerdict verdict = BoxVerdict::UNDECIDED;    ///< whether the point satisfies the criterion
-  BoxVerdict reachable = BoxVerdict::UNDECIDED;  ///< whether all struts reach it
+  BoxVerdict verdict = BoxVerdict::UNDECIDED;       ///< whether the point satisfies the criterion
+  BoxVerdict within_reach = BoxVerdict::UNDECIDED;  ///< whether all struts reach it, in whatever aspect
   /// Everything else is there where they are proved to, away from serial singularities.
   bool has_values = false;
   std::array<Interval, 3> psi;  ///< velocity transmission factors, ascending

@@ -36,9 +36,6 @@ Box boundsAcrossRails(const Machine& machine, const Criterion& criterion, int ax
 /// Whether the box is not longer than 1000 struts: beyond that nothing could be settled.
 bool isBounded(const Box& box, const Machine& machine);
 
-/// @throws std::invalid_argument that says why the set has no bounds, and the remedy
-[[noreturn]] void throwUnbounded(const char* remedy);
-
-/// boundsOfSet() where it is bounded. @throws std::invalid_argument otherwise
+/// boundsOfSet() where it is bounded. @throws Unbounded otherwise
 Box workspaceBounds(const Machine& machine, const Criterion& criterion);
 }  // namespace pkm_workspace

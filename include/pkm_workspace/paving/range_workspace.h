@@ -30,9 +30,10 @@ Machine withJointLimits(const Machine& machine, const std::array<Interval, 3>& l
 /// What to measure. Values with defaults; validate() tells what is wrong.
 struct RangeQuery
 {
-  JointIntervals ranges;   ///< of the joint values [m]; bounded
-  double accuracy = 5e-3;  ///< wanted width of the volume, relative to its upper end; > 0
-  Budget budget;           ///< max_boxes and time_limit are shared by all pavings
+  JointIntervals ranges;                              ///< of the joint values [m]; bounded
+  double accuracy = 5e-3;                             ///< wanted width of the volume, relative to its upper end; > 0
+  Budget budget;                                      ///< max_boxes and time_limit are shared by all pavings
+  Criterion::Aspect aspect = Criterion::Aspect::OWN;  ///< whose volume the accuracy is about: OWN or OTHER
 
   void validate(Problems& problems) const;
 };
@@ -47,7 +48,7 @@ struct RangeWorkspace
   double seconds = 0.0;
 };
 
-/// Paves it more and more finely until the volume of the machine's own aspect is known to the accuracy or the budget
+/// Paves it more and more finely until the volume of the aspect in question is known to the accuracy or the budget
 /// ends. Paved are the outer ranges; what they hold beyond the inner ones goes off the lower bounds: a length w of a
 /// joint's values takes at most the volume pi L^2 w. Equalise the ranges first for what the paper does.
 /// @throws std::invalid_argument for a query that is not valid, with all reasons

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/frames.h"
 
@@ -19,6 +20,9 @@ namespace pkm_workspace
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
+
+/// What the fields of a RegionRequest can do about what has no bounded answer.
+const Remedy REGION_REMEDY{ "joint_limits = ON", "a search box by use_search_box" };
 
 /// @param defaults what fields without a value stand for
 /// @param longest the most that may be asked for as a time limit [s]

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/ros/frames.h"
 
 namespace pkm_workspace
@@ -19,9 +19,9 @@ inline double valueOr(double value, double fallback)
   return value == 0.0 ? fallback : value;
 }
 
-/// Reads a criterion. Leaves it to Criterion::validate() to say what is out of range.
-/// @param defaults what fields without a value stand for
-/// @param problems gets one sentence for each value that is unknown or without effect
+/// Reads a criterion.
+/// @param defaults what fields without a value stand for; where there is a problem, all but set and aspect
+/// @param problems gets one sentence for each value that is unknown, out of range or without effect
 Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems);
 
 /// The box between two corners, or none. @param flag name of the field that @p given comes from
@@ -33,9 +33,9 @@ std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corne
 /// @param problems gets one sentence for what is out of range
 double timeLimitOf(double requested, double node, double longest, Problems& problems);
 
-/// @param aspect OWN = 0, OTHER = 1 or BOTH = 2, as all messages number them
+/// @param aspect OWN = 1, OTHER = 2 or BOTH = 3, as all messages number them, or 0 for the fallback
 /// @param problems gets one sentence for another number
-Criterion::Aspect aspectOf(std::uint8_t aspect, Problems& problems);
+Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Problems& problems);
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/health.h"
 #include "pkm_workspace/ros/parameters.h"
@@ -14,6 +15,9 @@
 
 namespace pkm_workspace
 {
+/// What can be done about a region of the node's own without a bounded answer.
+const Remedy NODE_REMEDY{ "joint_limits", "a ~search_box" };
+
 /// What all parts of the node share.
 ///
 /// The thread of private_node answers what can be answered at once, the worker computes what services ask for, the

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
@@ -16,18 +17,23 @@ constexpr double LONGEST = 86400.0;
 /// What the node is configured with: its private parameters. Values with defaults; validate() tells what is wrong.
 struct Parameters
 {
-  Parameters() { query.budget.time_limit = 60.0; }
+  Parameters()
+  {
+    query.budget.time_limit = 60.0;
+    query.criterion = defaultCriterion();
+  }
 
-  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~accuracy, ~joint_limits, ~search_box, ~threads and ~time_limit, which
+  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~joint_limits, ~search_box, ~threads and ~time_limit, which
   /// is also the most that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
+  double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
   UrdfOptions urdf;                  ///< ~rails and ~tcp_links
   bool publish_joint_states = true;  ///< whether the model stands at the region's center
   bool show_paving = true;           ///< whether the markers show the set that the region lies in
   bool show_boundary = false;        ///< whether they show its undecided boxes too
-  double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: L / 10, in a plane L / 40
+  double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
   /// ~max_memory: the most that the boxes of a paving may take [bytes].
-  std::int64_t max_memory = std::int64_t(1) << 30;
+  std::int64_t max_memory = DEFAULT_MEMORY;
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.
   void validate(Problems& problems) const;

@@ -19,9 +19,6 @@ struct PavingQuestion
   std::int64_t max_listed = 0;  ///< boxes in the message
 };
 
-/// A resolution for pictures and for those who name none [m]: a tenth of a strut, in a plane a fortieth.
-double defaultResolution(const Machine& machine, const Box& box);
-
 /// @param criterion what fields without a value stand for @param parameters other defaults and ceilings
 /// @param longest the most that may be asked for as a time limit [s]
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range

@@ -18,7 +18,7 @@ struct Comparison
   RegionQuery query;
   LargestRegion region;           ///< the rest has no meaning when its size is 0
   JointIntervals ranges = {};     ///< of the joints over the region, equalised as the paper does [m]
-  RangeWorkspace workspace = {};  ///< all that is reachable within these ranges
+  RangeWorkspace workspace = {};  ///< all that is reachable within these ranges, by aspects
   Singularities in_region = {};   ///< at the points of the region
   Singularities in_ranges = {};   ///< at all points with joint values within the ranges, in either aspect
 
@@ -30,7 +30,7 @@ struct Comparison
 using Tell = std::function<void(const std::string&)>;
 
 /// Finds the largest region, then what follows from it. The time limit is shared by all parts.
-/// @throws std::invalid_argument for a query that is not valid or has no bounded answer
+/// @throws std::invalid_argument for a query that is not valid, has no bounded answer, or is about both aspects at once
 Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell);
 
 /// One number of a study.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "pkm_workspace/dexterity/criterion.h"
+
+namespace pkm_workspace
+{
+/// Where a value of this name comes from that nobody gave, "the default" for instance; empty for one that was given.
+using Origin = std::function<std::string(const std::string& name)>;
+
+/// The same as Criterion::validate(), with the origin of values that nobody gave.
+void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems);
+
+/// "own", "other" or "both": what options, parameters and answers call them.
+std::string name(Criterion::Aspect aspect);
+
+/// "dextrous" or "reachable", and in which aspect: "dextrous in the machine's own aspect".
+std::string quality(const Criterion& criterion);
+}  // namespace pkm_workspace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// What the command, the node and its requests ask for where nobody says otherwise.
+
+/// A Criterion's own values, but within the joint limits. Of a machine that has none, that asks for nothing more.
+Criterion defaultCriterion();
+
+/// Of a size: a thousandth of the longest strut, to one digit [m].
+double defaultAccuracy(const Machine& machine);
+
+/// Of a paving of the box: a twentieth of the longest strut, of a flat box a fortieth [m].
+double defaultResolution(const Machine& machine, const Box& box);
+
+/// The most that boxes may take [bytes].
+constexpr std::int64_t DEFAULT_MEMORY = std::int64_t(1) << 30;
+}  // namespace pkm_workspace

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Joint limits hold unless they are left aside; then the answer tells which rails would leave them, and by how much."""
+
+import re
+import unittest
+
+from pkm import DATA, ORTHOGLIDE, CommandTest
+
+LEAN = str(DATA / "lean_delta.urdf")  # rails that lean by 0.8 degrees; limits -0.34 and 0.35 m
+DISC = ("--shape", "disc", "--psi-min", 0.3, "--psi-max", 2.5, "--max-boxes", 2000)
+LOWER, UPPER = -0.34, 0.35
+TOUCH = 1e-12
+
+
+class Limits(CommandTest):
+    def test_every_command_keeps_to_them(self):
+        origin = ("--urdf", ORTHOGLIDE)
+        for words in (("evaluate", *origin, "--point", 0, 0, 0), ("largest", *origin), ("compare", *origin),
+                      ("check", *origin, "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1),
+                      ("path", *origin, "--segment", "start 0 0 0", "--segment", "line 0.1 0 0"),
+                      ("pave", *origin, "--resolution", 0.2), ("singularities", *origin, "--max-boxes", 100),
+                      ("conditioning", *origin, "--accuracy", 0.3),
+                      ("study", *origin, *origin, "--range", 0, 0.1, "--accuracy", 0.1)):
+            with self.subTest(words):
+                answer = self.answer(*words)
+                self.assertIs(answer.get("machines", [answer])[0]["joint_limits"], True)
+                off = self.answer(*words, "--joint-limits", "off")
+                self.assertIs(off.get("machines", [off])[0]["joint_limits"], False)
+
+    def test_the_region_lies_where_the_rails_reach(self):
+        answer = self.answer("largest", "--urdf", LEAN, *DISC)
+        self.assertGreater(answer["size"], 0.05)
+        for joint in answer["joint_ranges"]:
+            self.assertGreaterEqual(joint["lower"], LOWER - TOUCH)
+            self.assertLessEqual(joint["upper"], UPPER + TOUCH)
+        self.assertNotIn("beyond_limits", answer)
+
+    def test_without_them_the_answer_tells_what_it_breaks(self):
+        words = ("largest", "--urdf", LEAN, *DISC, "--joint-limits", "off")
+        answer, text = self.answer(*words), re.sub(r"\s+", " ", self.text(*words))
+        self.assertGreater(answer["center"][2], 1)  # above the machine
+        beyond = answer["beyond_limits"]
+        self.assertEqual([(one["joint"], one["limit"]) for one in beyond],
+                         [(f"tower_{leg}", "upper") for leg in (1, 2, 3)])
+        for one, joint in zip(beyond, answer["joint_ranges"]):
+            self.assertLessEqual(one["by"][0], joint["upper"] - UPPER + TOUCH)
+            self.assertGreaterEqual(one["by"][1], joint["upper"] - UPPER - TOUCH)
+            told = re.search(f"'{one['joint']}' would leave its upper limit, 0.35 m, by at least ([0-9.]+) m", text)
+            self.assertLessEqual(float(told.group(1)), one["by"][0])
+            self.assertGreater(float(told.group(1)), 0.9 * one["by"][0])
+
+    def test_boxes_paths_and_points_tell_it_too(self):
+        near = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.15))
+        phrase = r"Joint limits are off: 'rail_x' would leave its upper limit, 0.15 m, by at least 0.(1|09)[0-9]* m"
+        for words in (("evaluate", "--point", 0.25, 0, 0),
+                      ("check", "--center", 0.2, 0, 0, "--sides", 0.1, 0.01, 0.01),
+                      ("path", "--segment", "start 0 0 0", "--segment", "line 0.25 0 0")):
+            with self.subTest(words):
+                answer = self.answer(words[0], "--urdf", near, *words[1:], "--joint-limits", "off")
+                self.assertRegex(answer["message"], phrase)
+                self.assertEqual([one["joint"] for one in answer["beyond_limits"]], ["rail_x"])
+                kept = self.answer(words[0], "--urdf", near, *words[1:])
+                self.assertNotRegex(kept["message"], "Joint limits are off")
+        within = self.answer("evaluate", "--urdf", near, "--point", 0, 0, 0, "--joint-limits", "off")
+        self.assertRegex(within["message"], "Joint limits are off: all rails stay within their limits.$")
+
+    def test_rails_that_hardly_lean_are_answered_as_their_neighbours(self):
+        answer = self.answer("largest", "--urdf", DATA / "lean_rails.urdf", "--max-boxes", 2000)
+        self.assertGreater(answer["size"], 0.01)
+        self.assertLess(abs(answer["center"][2]), 0.5)
+
+
+class Scale(CommandTest):
+    def test_defaults_are_shares_of_the_machine(self):
+        small = ("--urdf", DATA / "small_stage.urdf")  # struts of 7 cm
+        largest = self.answer("largest", *small, "--shape", "disc")
+        self.assertEqual(largest["accuracy"], 7e-5)
+        self.assertEqual(largest["status"], "proven")
+        self.assertEqual(self.answer("largest", "--urdf", ORTHOGLIDE)["accuracy"], 1e-3)
+        self.assertEqual(self.answer("compare", *small, "--shape", "disc")["machines"][0]["accuracy"], 7e-5)
+        self.assertEqual(self.answer("pave", "--urdf", ORTHOGLIDE)["resolution"], 0.05)
+        self.assertLess(self.answer("pave", *small)["resolution"], 0.004)
+
+
+if __name__ == "__main__":
+    unittest.main()
