@@ -15,6 +15,8 @@ namespace
 constexpr int PATIENCE = 2000;
 /// The caller asks how long it has been working each time it has done so many indices.
 constexpr std::size_t OFTEN = 16;
+/// How long the caller looks for the end of what others have begun, at the most, before it goes to sleep.
+constexpr std::chrono::microseconds LONGEST_SPIN(500);
 /// The most calls in a row that are done alone because others made work longer.
 constexpr int MOST_ALONE = 4096;
 
@@ -168,7 +170,7 @@ void ThreadPool::run(std::size_t count, Call call, const void* context)
       recruited = !mayRecruit() || recruit(std::unique_lock<std::mutex>(mutex_, std::try_to_lock));
   while (take() && ++own);
   const auto worked = Clock::now() - begin;
-  awaitOthers(worked / static_cast<int>(std::max<std::size_t>(own, 1)));
+  awaitOthers(std::min<Clock::duration>(worked / static_cast<int>(std::max<std::size_t>(own, 1)), LONGEST_SPIN));
   judge(own, worked, Clock::now() - begin - worked);
 }
 }  // namespace pkm_workspace
