@@ -5,6 +5,7 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/dexterity/region_check.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/binding_limit.h"
 #include "progress.h"
@@ -53,6 +54,8 @@ public:
     options.require({ "sides" });
     criterion_options_.declare(options, criterion_);
     options.count("max-boxes", max_boxes_, MOST_BOXES, "boxes looked at before it ends undecided");
+    declareTimeLimit(options, time_limit_);
+    options.flag("progress", progress_, PROGRESS_HELP);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     options.check({ "sides" }, [this](Problems& problems) { setShape(problems); });
     options.check({ "center", "centers" }, [this](Problems& problems) {
@@ -66,15 +69,18 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
+    const std::atomic<bool>* stop = stopOnSignalOrAfter(time_limit_);
+    const Progress progress(progress_);
     const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
     if (centers_)
-      return answerForAll(test);
-    const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, max_boxes_, stopOnSignal());
+      return answerForAll(test, stop);
+    const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, max_boxes_, stop);
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
     json["center"] = toJson(*center_);
     json["sides"] = toJson(*sides_);
     json["bad_point"] = result.bad_point ? toJson(*result.bad_point) : Json();
+    json["bad_within"] = result.bad_within;
     json["boxes"] = result.boxes;
     if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
       json["beyond_limits"] = toJson(machine, beyondLimits(machine, reach()));
@@ -84,9 +90,10 @@ public:
 
 private:
   /// The paper's G(B, w).
-  Answer answerForAll(const BoxTest& test) const
+  Answer answerForAll(const BoxTest& test, const std::atomic<bool>* stop) const
   {
     BisectionLimits limits;
+    limits.stop = stop;
     limits.center_width *= machine_.machine().scale();
     limits.part_width *= machine_.machine().scale();
     const Share share = checkCenters(test, *centers_, *sides_, limits);
@@ -94,8 +101,9 @@ private:
     json["share"] = nameOf(share);
     json["centers"] = toJson(*centers_);
     json["sides"] = toJson(*sides_);
+    const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(time_limit_) : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
-                             ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + ".";
+                             ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + reason + ".";
     return { json, wrapped(text) + wrapped(definition(machine_.machine(), criterion_)) };
   }
 
@@ -124,9 +132,16 @@ private:
       const std::string remark = criterion_.joint_limits ? "" : remarkOnLimits(machine_.machine(), criterion_, reach());
       return "Proved: every point of the box is " + quality(criterion_) + "." + (remark.empty() ? "" : " ") + remark;
     }
+    if (result.verdict == Containment::UNDECIDED && isTimeOver())
+      return "Neither is proved: " + timeIsOver(time_limit_) + ".";
     if (result.verdict == Containment::UNDECIDED)
       return "Neither is proved: the border of the set is within rounding of the box, or " +
              std::to_string(max_boxes_) + " boxes (--max-boxes) were not enough.";
+    if (result.bad_within > 0.0)
+      return "Proved: no further than " + roundedUp(result.bad_within, 17) +
+             " m from the bad point the box has a point where two struts are one vector, so that det A is 0: a "
+             "parallel "
+             "singularity, which belongs to no aspect.";
     const Machine& machine = machine_.machine();
     const Words reasons = violations(evaluatePoint(machine, criterion_, *result.bad_point), machine);
     return "Proved: the bad point lies in the box and is not " + quality(criterion_) +
@@ -153,6 +168,8 @@ private:
   bool multi_precision_ = false;
   ShapePtr shape_;
   std::int64_t max_boxes_ = 1000000;
+  double time_limit_;
+  bool progress_ = false;
 };
 }  // namespace
 

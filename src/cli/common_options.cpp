@@ -148,10 +148,15 @@ void AccuracyOption::declare(Options& options, const std::string& help)
                  help + "; without it, a thousandth of the longest strut, to one digit");
 }
 
+void declareTimeLimit(Options& options, double& time_limit)
+{
+  time_limit = TIME_LIMIT;
+  options.number("time-limit", time_limit, TIME_NOT_NEGATIVE, "ends with the best proved so far; 0: no limit");
+}
+
 void declareBudget(Options& options, Budget& budget)
 {
-  options.number("time-limit", budget.time_limit, TIME_POSITIVE,
-                 "ends with the best proved so far; without it, no limit");
+  declareTimeLimit(options, budget.time_limit);
   options.count("max-boxes", budget.max_boxes, MOST_BOXES,
                 "boxes looked at before it ends with the best proved so far; without it, no limit");
   options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");

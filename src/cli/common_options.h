@@ -112,6 +112,11 @@ constexpr const char* MULTI_PRECISION_HELP = "goes on in 50 digits where doubles
 
 constexpr std::int64_t MOST_BOXES = 1000000000000;
 
+/// What --time-limit is without being given: nobody waits for ever who did not ask to [s].
+constexpr double TIME_LIMIT = 60.0;
+
+/// --time-limit. Sets the default, too.
+void declareTimeLimit(Options& options, double& time_limit);
 /// --time-limit, --max-boxes, --threads.
 void declareBudget(Options& options, Budget& budget);
 /// --max-memory; what it is then is the default.

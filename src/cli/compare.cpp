@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <chrono>
 
 #include "command.h"
 #include "common_options.h"
@@ -152,10 +151,7 @@ public:
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     Progress progress(progress_);
-    const auto begin = std::chrono::steady_clock::now();
-    const Tell tell = [&](const std::string& text) {
-      progress.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), text);
-    };
+    const Tell tell = [&](const std::string& text) { progress.tell(text); };
     return paper_ ? answerPaper(tell) : answerMachines(tell);
   }
 

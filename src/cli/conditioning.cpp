@@ -45,6 +45,7 @@ public:
     declareBudget(options, query_.budget);
     query_.max_memory = DEFAULT_MEMORY;
     declareMemory(options, query_.max_memory);
+    options.flag("progress", progress_, PROGRESS_HELP);
     options.check({ "max-memory" }, [this](Problems& problems) {
       if (query_.max_memory < ConditioningQuery::LEAST_MEMORY)
         problems.push_back("must be at least " + std::to_string(ConditioningQuery::LEAST_MEMORY) + " bytes");
@@ -58,6 +59,7 @@ public:
   Answer answer() override
   {
     query_.budget.stop = stopOnSignal();
+    const Progress progress(progress_);
     const Machine& machine = machine_.machine();
     const GlobalConditioning found =
         region_.given() ? globalConditioning(machine, *region_.shape(), region_.center(), region_.size(), query_)
@@ -82,7 +84,7 @@ private:
                                                              std::to_string(found.dimension) + ", the measure of " +
                                                              over },
                                       { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
-    return aligned(rows, Align::LEFT) + wrapped(remarkOn(found)) +
+    return aligned(rows, Align::LEFT) + wrapped(remarkOn(found, query_.budget)) +
            (region_.given() ? "" : "\n" + wrapped(definition(machine_.machine(), criterion_)));
   }
 
@@ -91,6 +93,7 @@ private:
   Criterion criterion_;
   CriterionOptions criterion_options_;
   ConditioningQuery query_;
+  bool progress_ = false;
 };
 }  // namespace
 

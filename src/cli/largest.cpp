@@ -106,9 +106,8 @@ public:
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     query_.progress = [&progress](const RegionProgress& state) {
-      progress.tell(state.seconds, "size " + bracket(state.size, state.size_upper_bound) + ", " +
-                                       std::to_string(state.boxes_done) + " boxes done, " +
-                                       std::to_string(state.boxes_open) + " open");
+      progress.tell("size " + bracket(state.size, state.size_upper_bound) + ", " + std::to_string(state.boxes_done) +
+                    " boxes done, " + std::to_string(state.boxes_open) + " open");
     };
     const LargestRegion region =
         center_ ? largestRegionAt(machine, query_, *center_) : findLargestRegion(machine, query_);

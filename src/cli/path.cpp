@@ -60,6 +60,8 @@ public:
     options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
     options.count("max-looks", query_.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
+    declareTimeLimit(options, time_limit_);
+    options.flag("progress", progress_, PROGRESS_HELP);
     criterion_options_.declare(options, criterion_);
     options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
   }
@@ -69,7 +71,8 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    query_.stop = stopOnSignal();
+    query_.stop = stopOnSignalOrAfter(time_limit_);
+    const Progress progress(progress_);
     const PathResult result = checkPath(machine, criterion_, path_.segments(), query_);
     Json json = contextOf(machine, criterion_);
     json["verdict"] = cli::name(result.verdict);
@@ -135,6 +138,8 @@ private:
         describe(result, machine_.machine(), [this](std::size_t segment) { return path_.places()[segment]; });
     if (result.motion && !criterion_.joint_limits)
       text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reachOf(result)));
+    if (result.verdict == Containment::UNDECIDED && isTimeOver())
+      text += " Here " + timeIsOver(time_limit_) + ".";
     return text;
   }
 
@@ -162,6 +167,8 @@ private:
   PathQuery query_;
   PathText path_;
   std::string file_;
+  double time_limit_;
+  bool progress_ = false;
 };
 }  // namespace
 

@@ -93,7 +93,8 @@ public:
     }
     if (!save_.empty())
       savePavings(save_, pavings);
-    return answerOf(machine_.machine(), { pavings, sizes, asked(), isSection(), list_boxes_ });
+    return answerOf(machine_.machine(),
+                    { pavings, sizes, asked(), endedBy(queries, pavings), isSection(), list_boxes_ });
   }
 
 private:
@@ -161,12 +162,22 @@ private:
     Progress progress(progress_);
     const Measure measure(boxFor(query));
     query.progress = [&progress, &measure](const PavingProgress& state) {
-      progress.tell(state.seconds, measure.name + " inside " + nearly(state.volume_inside) + measure.unit +
-                                       ", undecided " + nearly(state.volume_boundary) + measure.unit + ", " +
-                                       std::to_string(state.boxes) + " boxes, " + nearly(state.boxesPerSecond(), 3) +
-                                       " boxes/s");
+      progress.tell(measure.name + " inside " + nearly(state.volume_inside) + measure.unit + ", undecided " +
+                    nearly(state.volume_boundary) + measure.unit + ", " + std::to_string(state.boxes) + " boxes, " +
+                    nearly(state.boxesPerSecond(), 3) + " boxes/s");
     };
     return earlier ? resume(machine_.machine(), query, *earlier) : pave(machine_.machine(), query);
+  }
+
+  static std::string endedBy(const std::vector<PavingQuery>& queries, const std::vector<Paving>& pavings)
+  {
+    for (std::size_t k = 0; k < pavings.size(); ++k)
+      if (!pavings[k].complete)
+      {
+        const std::string ended_by = queries[k].budget.endedBy(pavings[k].seconds, pavings[k].boxes_here);
+        return ended_by.empty() ? "the limit of memory" : ended_by;
+      }
+    return "";
   }
 
   /// Encloses the volume; of a set without factors more closely than the boxes do, with what is left of the time.

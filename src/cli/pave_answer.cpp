@@ -91,6 +91,7 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["boxes_pending"] = whole.tree.count(CellState::PENDING);
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
+  json["ended_by"] = paved.ended_by.empty() ? Json() : Json(paved.ended_by);
   if (paved.most_listed > 0)
     json["listed"] = listOf(whole.tree, paved.most_listed);
   return json;
@@ -108,7 +109,7 @@ std::string proofOf(const Paved& paved)
         " The rails are parallel: the box is flat, across the axis they run along, and in every plane parallel to "
         "it the area is the same.";
   if (!isComplete(pavings))
-    text += " A budget or a signal ended it early: more time, boxes or memory give closer bounds.";
+    text += " Ended early by " + paved.ended_by + ": more time, boxes or memory give closer bounds.";
   return text;
 }
 

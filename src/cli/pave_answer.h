@@ -28,6 +28,7 @@ struct Paved
   std::vector<Paving> pavings;
   std::vector<Interval> sizes;   ///< enclose their volumes, or areas
   std::size_t asked = 0;         ///< which of them was asked for
+  std::string ended_by;          ///< what ended one of them early, if anything: "the time limit of 20 s"
   bool is_section = false;       ///< the box is the plane across the rails along which nothing changes
   std::int64_t most_listed = 0;  ///< boxes that are listed in the JSON object
 };

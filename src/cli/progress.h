@@ -2,8 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <iosfwd>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace pkm_workspace
 {
@@ -11,26 +15,46 @@ namespace cli
 {
 /// Makes the first SIGINT or SIGTERM set a flag, and the second one end the program. @return the flag
 const std::atomic<bool>* stopOnSignal();
+/// The same for a computation that knows no limit of time but the flag. @param seconds after which the flag is set too;
+/// 0: never
+const std::atomic<bool>* stopOnSignalOrAfter(double seconds);
+/// Whether it is that time that has set the flag.
+bool isTimeOver();
+/// Says so.
+std::string timeIsOver(double time_limit);
 
-constexpr const char* PROGRESS_HELP = "tells the progress also where standard error is not a terminal";
+constexpr const char* PROGRESS_HELP = "tells the progress once a second where standard error is not a terminal, too";
 
-/// Tells on standard error how far a computation of more than a second has come, once a second: on a terminal in one
-/// line that it removes at the end, elsewhere only when asked to, in a line each. Thread-safe.
+/// Tells on standard error how far a long computation has come: on a terminal once a second, in one line that it
+/// removes at the end; elsewhere in lines of their own, every five seconds, or once a second when asked to.
+/// Thread-safe.
 class Progress
 {
 public:
-  explicit Progress(bool always);
+  explicit Progress(bool often);
+  /// @param period between two messages
+  Progress(std::ostream& stream, bool is_terminal, std::chrono::nanoseconds period);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void tell(double seconds, const std::string& text);
+  /// Says what the next message is to be: until then it is that the computation goes on.
+  void tell(const std::string& text);
 
 private:
-  const bool terminal_;
-  const bool enabled_;
+  void run();
+  void print();
+
+  std::ostream& stream_;
+  const bool is_terminal_;
+  const std::chrono::nanoseconds period_;
+  const std::chrono::steady_clock::time_point begin_;
   std::mutex mutex_;
-  double next_ = 1.0;  ///< [s]
+  std::condition_variable wake_;
+  std::string text_ = "still computing";
+  bool has_printed_ = false;
+  bool ends_ = false;
+  std::thread thread_;
 };
 }  // namespace cli
 }  // namespace pkm_workspace

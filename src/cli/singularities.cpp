@@ -50,6 +50,7 @@ public:
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
                    "wanted width of each enclosure, relative to its upper end");
     declareBudget(options, query_.budget);
+    options.flag("progress", progress_, PROGRESS_HELP);
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -69,6 +70,7 @@ public:
     query.joint_limits = criterion_.joint_limits;
     query.aspect = criterion_.aspect;
     query.budget.stop = stopOnSignal();
+    const Progress progress(progress_);
     const Singularities found = findSingularities(machine, query);
     Json json = contextOf(machine, criterion_);
     json["over"] = region_.given() ? "region" : "set";
@@ -77,11 +79,27 @@ public:
       json["serial"].push_back(toJson(leg));
     json["parallel"] = toJson(found.parallel);
     json["seconds"] = found.seconds;
-    return { json, print(found) };
+    json["message"] = message(found, query.budget);
+    return { json, print(found, json["message"]) };
   }
 
 private:
-  std::string print(const Singularities& found) const
+  /// What is proved, and what ended the search for what is not.
+  static std::string message(const Singularities& found, const Budget& budget)
+  {
+    for (const SingularityAnswer& answer : { found.serial[0], found.serial[1], found.serial[2], found.parallel })
+    {
+      if (answer.status != SingularityAnswer::Status::UNDECIDED)
+        continue;
+      const std::string ended_by = budget.endedBy(found.seconds, answer.boxes);
+      return "Undecided where " +
+             (ended_by.empty() ? "doubles cannot divide boxes further" : ended_by + " ended the search") +
+             "; the rest is proved.";
+    }
+    return "Proved by interval analysis: none, or one within a box around the point that is told.";
+  }
+
+  std::string print(const Singularities& found, const std::string& message) const
   {
     const Machine& machine = machine_.machine();
     std::vector<Words> rows = { { "singularities", "exist", "least measure" } };
@@ -94,9 +112,7 @@ private:
     return "Singularities of machine '" + machine.name() + "' " +
            (region_.given() ? "in the " + region_.shape()->name() : "at all points that the struts reach") +
            (criterion_.joint_limits ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
-           wrapped(definition(machine, criterion_)) +
-           wrapped("Proved by interval analysis: none, or one within a box around the point that is told. " +
-                   seconds(found.seconds) + ".");
+           wrapped(definition(machine, criterion_)) + wrapped(message + " " + seconds(found.seconds) + ".");
   }
 
   MachineOptions machine_;
@@ -104,6 +120,7 @@ private:
   SingularityQuery query_;
   AspectOption aspect_;
   Criterion criterion_ = reachableAnywhere();
+  bool progress_ = false;
 };
 }  // namespace
 

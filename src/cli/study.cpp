@@ -85,9 +85,9 @@ public:
     if (parts_ > 0)
       query_.region.budget.time_limit /= 2.0;
     query_.progress = [&progress, this](const StudyProgress& state) {
-      progress.tell(state.seconds, query_.family.parameter + " " + nearly(state.parameter) + ", size " +
-                                       describe(Interval(state.size, state.size_upper_bound)) + ", " +
-                                       std::to_string(state.parts_open) + " parts open");
+      progress.tell(query_.family.parameter + " " + nearly(state.parameter) + ", size " +
+                    describe(Interval(state.size, state.size_upper_bound)) + ", " + std::to_string(state.parts_open) +
+                    " parts open");
     };
     const BestParameter best = findBestParameter(query_);
     std::vector<BestParameter> parts;

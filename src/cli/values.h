@@ -34,7 +34,7 @@ const Quantity LENGTH_POSITIVE{ "m", 0.0, false };
 const Quantity NUMBER_POSITIVE{ "", 0.0, false };
 const Quantity NUMBER_NOT_NEGATIVE{ "", 0.0 };
 const Quantity CONDITION{ "", 1.0 };
-const Quantity TIME_POSITIVE{ "s", 0.0, false };
+const Quantity TIME_NOT_NEGATIVE{ "s", 0.0 };
 
 /// Each of these reads the words of one option. @throws std::invalid_argument with the word and what is allowed
 std::vector<double> readNumbers(const Words& words, const Quantity& quantity);

@@ -82,6 +82,18 @@ bool Budget::isOver(double seconds) const
   return (stop && *stop) || (time_limit > 0.0 && seconds >= time_limit);
 }
 
+std::string Budget::endedBy(double seconds, std::int64_t boxes) const
+{
+  std::ostringstream text;
+  if (stop && *stop)
+    text << "a request to stop";
+  else if (max_boxes > 0 && boxes >= max_boxes)
+    text << "the limit of " << max_boxes << (max_boxes == 1 ? " box" : " boxes");
+  else if (isOver(seconds))
+    text << "the time limit of " << time_limit << " s";
+  return text.str();
+}
+
 namespace
 {
 /// The values of a criterion by their names.

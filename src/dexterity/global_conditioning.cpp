@@ -197,14 +197,16 @@ void ConditioningQuery::validate(Problems& problems) const
                        std::to_string(LEAST_MEMORY) + ", or 0 for no limit");
 }
 
-std::string remarkOn(const GlobalConditioning& found)
+std::string remarkOn(const GlobalConditioning& found, const Budget& budget)
 {
   if (found.index.upper() == 0.0)
     return "The struts reach no point of it, where the index is taken for 0.";
   if (found.complete)
     return "";
-  return found.out_of_memory ? "The accuracy was not met: the memory for boxes ended it."
-                             : "The accuracy was not met: a limit ended it, or the set has no proved volume.";
+  const std::string ended_by = budget.endedBy(found.seconds, found.boxes);
+  return "The accuracy was not met: " + (found.out_of_memory ? "the memory for boxes ended it."
+                                         : ended_by.empty()  ? "the set has no proved volume."
+                                                             : ended_by + " ended it.");
 }
 
 GlobalConditioning globalConditioning(const Machine& machine, const BoxClassifier& set, const Box& box,

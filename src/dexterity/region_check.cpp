@@ -10,7 +10,8 @@ namespace
 {
 /// Bisects the box, depth first, until @p judge answers ALL or NONE for every part, or has given both answers.
 template <class Judge>
-Share bisect(const Box& box, double min_width, std::int64_t max_boxes, const Judge& judge)
+Share bisect(const Box& box, double min_width, std::int64_t max_boxes, const std::atomic<bool>* stop,
+             const Judge& judge)
 {
   std::vector<Box> open = { box };
   bool all = false;
@@ -18,7 +19,7 @@ Share bisect(const Box& box, double min_width, std::int64_t max_boxes, const Jud
   bool undecided = false;
   for (std::int64_t boxes = 0; !open.empty() && !(all && none); ++boxes)
   {
-    if (boxes == max_boxes)
+    if (boxes == max_boxes || (stop && *stop))
       return Share::UNDECIDED;
     const Box part = open.back();
     open.pop_back();
@@ -112,7 +113,7 @@ private:
   {
     // much narrower parts would tell the regions of different centers apart: no answer for all of them
     const double part_width = std::max(limits_.part_width, centers.maxWidth() / 16);
-    return verifyBox(classify_, boundingBox(points), part_width, limits_.max_parts);
+    return verifyBox(classify_, boundingBox(points), part_width, limits_.max_parts, limits_.stop);
   }
 
   /// The corner rule: regions are products of intervals, so a product of stations has a point in common with every
@@ -145,14 +146,15 @@ private:
 };
 }  // namespace
 
-Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width, std::int64_t max_boxes)
+Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width, std::int64_t max_boxes,
+                const std::atomic<bool>* stop)
 {
-  return bisect(box, part_width, max_boxes, [&classify](const Box& part) { return shareOf(classify(part)); });
+  return bisect(box, part_width, max_boxes, stop, [&classify](const Box& part) { return shareOf(classify(part)); });
 }
 
 Share checkCenters(const BoxClassifier& classify, const Box& centers, const Eigen::Vector3d& edges,
                    const BisectionLimits& limits)
 {
-  return bisect(centers, limits.center_width, limits.max_centers, CenterCheck(classify, edges, limits));
+  return bisect(centers, limits.center_width, limits.max_centers, limits.stop, CenterCheck(classify, edges, limits));
 }
 }  // namespace pkm_workspace

@@ -41,7 +41,7 @@ public:
     best_.seconds = seconds();
     best_.boxes = boxes_;
     best_.verification_boxes = verification_boxes_;
-    conclude(best_, query_.accuracy, isOver());
+    conclude(best_, query_.accuracy, query_.budget.endedBy(best_.seconds, boxes_));
     return best_;
   }
 

@@ -74,7 +74,7 @@ void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& pro
     throw std::invalid_argument("proportions are for the shape box only, the shape is cylinder");
 }
 
-void conclude(LargestRegion& region, double accuracy, bool stopped)
+void conclude(LargestRegion& region, double accuracy, const std::string& ended_by)
 {
   region.status = LargestRegion::Status::STOPPED;
   const bool narrow = region.size_upper_bound <= rounding::add(region.size, accuracy).lower;
@@ -88,13 +88,12 @@ void conclude(LargestRegion& region, double accuracy, bool stopped)
     region.status = LargestRegion::Status::NONE;
     region.message = "no region as large as the accuracy exists where the center may lie, proved";
   }
-  else if (!stopped)
+  else if (ended_by.empty())
     region.message =
         "the accuracy is below what this precision can settle for this machine: ask for a coarser one, or for "
         "multi-precision";
   else
-    region.message =
-        "the time limit, the box budget or a stop request ended the search: the bracket holds, but is wide";
+    region.message = ended_by + " ended the search: the bracket holds, but is wide";
 }
 
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)

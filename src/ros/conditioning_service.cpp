@@ -36,9 +36,9 @@ void requireUnused(const Request& request, Problems& problems)
     problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
 }
 
-std::string sentence(const GlobalConditioning& found)
+std::string sentence(const GlobalConditioning& found, const Budget& budget)
 {
-  const std::string remark = remarkOn(found);
+  const std::string remark = remarkOn(found, budget);
   return "global conditioning index from " + bracket(found.index.lower(), found.index.upper()) +
          (remark.empty() ? ", to the accuracy asked for" : ". " + remark);
 }
@@ -87,7 +87,7 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   response.complete = found.complete;
   response.boxes = found.boxes;
   response.seconds = found.seconds;
-  response.message = sentence(found);
+  response.message = sentence(found, query.budget);
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
   context_.health.noteComputation({ "conditioning", response.message, found.seconds, !found.complete });
 }

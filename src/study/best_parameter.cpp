@@ -234,10 +234,9 @@ private:
 
   BestParameter result()
   {
-    const bool stopped = isOver();
     best_.region.size_upper_bound = upperBound();
     best_.region.seconds = seconds();
-    conclude(best_.region, query_.region.accuracy, stopped);
+    conclude(best_.region, query_.region.accuracy, budget().endedBy(best_.region.seconds, best_.region.boxes));
     for (; !open_.empty(); open_.pop())
       closed_.push_back(open_.top());
     std::sort(closed_.begin(), closed_.end(),

@@ -40,8 +40,11 @@ class Conditioning(AnalysisTest):
         self.assertTrue(answer["complete"])
         self.assertEqual(answer["over"], "set")
         self.assertBrackets(0.25, answer["index"][0], answer["index"][1])
-        stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--max-boxes", 100)
-        self.assertFalse(stopped["complete"])
+        for words, ended_by in ((("--max-boxes", 100), "the limit of 100 boxes"),
+                                (("--time-limit", 1e-9), "the time limit of 1e-09 s")):
+            stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, *words)
+            self.assertFalse(stopped["complete"])
+            self.assertIn(f"{ended_by} ended it", self.text("conditioning", "--urdf", ORTHOGLIDE, *words))
 
     def test_the_memory_is_a_limit(self):
         words = ("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", "1e-9", "--max-memory", "50000")
@@ -82,6 +85,13 @@ class Singularities(AnalysisTest):
             self.assertLessEqual(lower, upper)
         self.assertEqual(answer["over"], "set")
         self.assertIn("parallel", self.text("singularities", "--urdf", ORTHOGLIDE))
+
+    def test_it_is_said_what_ended_a_search(self):
+        for words, ended_by in ((("--max-boxes", 1), "the limit of 1 box"),
+                                (("--time-limit", 1e-9), "the time limit of 1e-09 s")):
+            answer = self.answer("singularities", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", 1e-9, *words)
+            self.assertIsNone(answer["parallel"]["exists"])
+            self.assertIn(f"{ended_by} ended the search", answer["message"])
 
     def test_refusals(self):
         self.assertRefused("needs --center and --size", "singularities", "--urdf", ORTHOGLIDE, "--shape", "cube")

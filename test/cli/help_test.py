@@ -12,22 +12,23 @@ from pkm import MACHINES, URDF, CommandTest
 
 MACHINE = {"urdf", "rails", "tcp-links"}
 CRITERION = {"set", "aspect", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
-BUDGET = {"time-limit", "max-boxes", "threads", "progress"}
+TIME = {"time-limit", "progress"}
+BUDGET = TIME | {"max-boxes", "threads"}
 COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
-    "check": MACHINE | CRITERION | COMMON | {"center", "centers", "sides", "max-boxes", "multi-precision"},
-    "path": MACHINE | CRITERION | COMMON | {"file", "segment", "tool-speed", "max-looks"},
+    "check": MACHINE | CRITERION | COMMON | TIME | {"center", "centers", "sides", "max-boxes", "multi-precision"},
+    "path": MACHINE | CRITERION | COMMON | TIME | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "max-memory", "save", "resume", "list-boxes"},
     "compare": MACHINE | CRITERION | BUDGET | COMMON
     | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},
     "study": MACHINE | CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
-    "singularities": MACHINE | (BUDGET - {"progress"}) | COMMON
+    "singularities": MACHINE | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "center", "size", "aspect", "joint-limits", "accuracy"},
-    "conditioning": MACHINE | CRITERION | (BUDGET - {"progress"}) | COMMON
+    "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "center", "size", "accuracy", "max-memory"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
@@ -55,7 +56,7 @@ class Help(CommandTest):
                              ("--shape cube|square|box|sphere|disc|cylinder", "[default cube]"),
                              ("--threads COUNT", "from 1 to 1024 [default "),
                              ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),
-                             ("--time-limit NUMBER", "> 0 s"),
+                             ("--time-limit NUMBER", ">= 0 s [default 60 s]"),
                              ("--urdf FILE", "required")):
             entry = re.search(re.escape(option) + r"((?! --[a-z]).)*", text)
             self.assertIsNotNone(entry, option)

@@ -136,6 +136,15 @@ class Largest(CommandTest):
         self.assertBrackets(answer["size"], CUBE, answer["size_upper_bound"], 1e-12)
         self.assertTrue(answer["message"])
 
+    def test_it_is_said_what_ended_a_search(self):
+        for words, ended_by in ((("--time-limit", 1e-9), "the time limit of 1e-09 s"),
+                                (("--max-boxes", 2), "the limit of 2 boxes")):
+            answer = self.largest(ORTHOGLIDE, "--accuracy", 1e-9, *words)
+            self.assertEqual(answer["message"], ended_by + " ended the search: the bracket holds, but is wide")
+
+    def test_no_limit_of_time_can_be_asked_for(self):
+        self.assertProven(self.largest(ORTHOGLIDE, "--time-limit", 0), CUBE, 1e-12)
+
     def test_none_is_an_answer(self):
         answer = self.largest(ORTHOGLIDE, "--psi-min", 0.99, "--psi-max", 0.995)
         self.assertEqual(answer["status"], "none")

@@ -82,9 +82,12 @@ class Pave(CommandTest):
                 self.assertLess(limited["volume_upper"], REACHABLE)
 
     def test_budget_ends_with_an_honest_bracket(self):
-        for budget in (("--max-boxes", 1000), ("--max-memory", 100000), ("--time-limit", 1e-6)):
+        for budget, ended_by in ((("--max-boxes", 1000), "the limit of 1000 boxes"),
+                                 (("--max-memory", 100000), "the limit of memory"),
+                                 (("--time-limit", 1e-6), "the time limit of 5e-07 s")):
             with self.subTest(budget):
                 answer = self.pave(ORTHOGLIDE, *budget)
+                self.assertEqual(answer["ended_by"], ended_by)
                 self.assertIs(answer["complete"], False)
                 self.assertGreater(answer["boxes_pending"], 0)
                 self.assertVolume(answer, DEXTROUS, 1e-3)

@@ -64,7 +64,7 @@ REFUSALS = [
     (LARGEST + "--search-box 0 1 1 0 0 1", "--search-box .*: 1 m is above 0 m; allowed: Y0 <= Y1"),
     (LARGEST + "--search-box 0 1 0 1 0 1 --center 0 0 0", "--search-box .*, --center .*: only one of the two"),
     (LARGEST + "--center 0 nan 0", "--center 0 nan 0: nan is not a finite number"),
-    (LARGEST + "--time-limit -1", "--time-limit -1: -1 is out of range; allowed: > 0 s"),
+    (LARGEST + "--time-limit -1", "--time-limit -1: -1 is out of range; allowed: >= 0 s"),
     (LARGEST + "--max-boxes 0", "--max-boxes 0: 0 is out of range; allowed: from 1 to 1000000000000"),
     (LARGEST + "--max-boxes 1e3", "--max-boxes 1e3: '1e3' is not a whole number"),
     (LARGEST + "--threads 0", "--threads 0: 0 is out of range; allowed: from 1 to 1024"),

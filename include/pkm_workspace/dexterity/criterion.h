@@ -28,6 +28,9 @@ struct Budget
   void validate(Problems& problems) const;
   /// Whether the stop flag is set or @p seconds is past the time limit.
   bool isOver(double seconds) const;
+  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s"; empty when none of
+  /// the limits has.
+  std::string endedBy(double seconds, std::int64_t boxes) const;
 };
 
 /// Appends one sentence when a box of the user's is not finite or not in order; @p name says which box.

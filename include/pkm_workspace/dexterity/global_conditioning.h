@@ -45,7 +45,7 @@ struct GlobalConditioning
 
 /// One sentence for people where there is more to tell than numbers: all is out of reach, or what kept the accuracy
 /// from being met; otherwise empty.
-std::string remarkOn(const GlobalConditioning& found);
+std::string remarkOn(const GlobalConditioning& found, const Budget& budget);
 
 /// Encloses the global conditioning index over the part of a box that belongs to a set. Divides boxes where most is
 /// still uncertain, until the accuracy is met or the budget ends.

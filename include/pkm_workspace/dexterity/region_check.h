@@ -24,15 +24,17 @@ enum class Share
 /// Where a proof by bisection ends.
 struct BisectionLimits
 {
-  double center_width = 1e-2;          ///< boxes of centers no wider than this are not bisected [m]; > 0
-  std::int64_t max_centers = 1000000;  ///< boxes of centers; > 0
-  double part_width = 1e-5;            ///< parts of one region no wider than this are not bisected [m]; > 0
-  std::int64_t max_parts = 1000000;    ///< parts of one region; > 0
+  double center_width = 1e-2;               ///< boxes of centers no wider than this are not bisected [m]; > 0
+  std::int64_t max_centers = 1000000;       ///< boxes of centers; > 0
+  double part_width = 1e-5;                 ///< parts of one region no wider than this are not bisected [m]; > 0
+  std::int64_t max_parts = 1000000;         ///< parts of one region; > 0
+  const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
 };
 
 /// M(B) by bisection (paper, section 2.2), on top of single looks: how many points of the box are valid. ALL stands for
 /// the paper's 1, NONE for its -1.
-Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width, std::int64_t max_parts);
+Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width, std::int64_t max_parts,
+                const std::atomic<bool>* stop = nullptr);
 
 /// G(B, w) (paper, section 2.3): how many points of a box of centers carry a region with edges w whose points are all
 /// valid. Of a box of zero width, which is a single center, ALL is the containment of its region and NONE the refusal.

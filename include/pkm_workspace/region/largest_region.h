@@ -77,8 +77,8 @@ struct LargestRegion
   std::string message;  ///< one sentence: what ended the search, what to do about it
 };
 
-/// Sets status and message by the bounds. @param stopped whether a budget or the stop flag ended the search
-void conclude(LargestRegion& region, double accuracy, bool stopped);
+/// Sets status and message by the bounds. @param ended_by what ended the search early, if anything: Budget::endedBy()
+void conclude(LargestRegion& region, double accuracy, const std::string& ended_by);
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; docs/theory.md). The search is over all centers of the workspace in the machine's aspect, or
