@@ -7,6 +7,7 @@
 #include <queue>
 #include <vector>
 
+#include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/parallel.h"
 
@@ -22,6 +23,10 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 constexpr std::size_t PARALLEL = 3;
 /// Size of the box around a singularity that is looked for, in struts.
 constexpr double FINE = 1e-6;
+/// How much larger, on each side, a box is made to find a zero on its faces: share of its widths.
+constexpr double MARGIN = 0.125;
+/// Where a line is divided in search of a zero; the second place is for a zero at the first.
+constexpr double DIVISIONS[] = { 0.5, 0.4375 };
 /// Boxes between two looks at the clock.
 constexpr std::int64_t CLOCK = 256;
 
@@ -71,18 +76,21 @@ struct Look
 class LeastMeasure
 {
 public:
+  /// @param spheres where det A is zero, too, maybe without changing its sign
   LeastMeasure(const MachineModel<double>& model, const SingularityQuery& query, const Slack& slack,
-               std::size_t measure)
+               std::size_t measure, const std::vector<StrutSphere>& spheres)
     : model_(model)
     , query_(query)
     , slack_(slack)
     , measure_(measure)
+    , spheres_(spheres)
     , two_sided_(measure == PARALLEL && !model.oriented())
     , begin_(std::chrono::steady_clock::now())
   {}
 
   SingularityAnswer run(const Box& root)
   {
+    root_ = root;
     if (root.isValid())
       visit({ root, 0.0, 0 });
     while (!answer_.box && !open_.empty() && !(open_.top().bound >= least_seen_ * (1.0 - query_.accuracy)))
@@ -151,8 +159,36 @@ private:
     tryPoint(node.box.center());
     tryPoint(two_sided_ && seen.measure.center < 0.0 ? corners.second : corners.first);
     if (seen.inside && node.bound <= 0.0)
-      answer_.box = crossing(corners);
+      answer_.box = zeroIn(node.box, corners);
     open_.push(node);
+  }
+
+  /// A small box around a zero of the measure in a box that is inside. Bisection may have cut along the zeros, so that
+  /// each box has one sign only: a box that is a little larger shows both.
+  std::optional<Box> zeroIn(const Box& box, const std::pair<Vector3d, Vector3d>& corners) const
+  {
+    if (const auto zero = crossing(corners))
+      return zero;
+    if (const auto zero = sphereIn(box))
+      return zero;
+    const Vector3d margin = MARGIN * (box.upper - box.lower);
+    const Box larger = intersection({ box.lower - margin, box.upper + margin }, root_);
+    const Look seen = look(larger);
+    return seen.inside ? crossing(endsAlong(larger, seen.measure)) : std::nullopt;
+  }
+
+  /// The same on a sphere where two struts are one.
+  std::optional<Box> sphereIn(const Box& box) const
+  {
+    SphereCrossing crossing(spheres_);
+    for (const StrutSphere& sphere : spheres_)
+    {
+      const auto ends = endsAlong(box, sphere.excess(CenteredBox<double>(box)));
+      crossing.add(ends.first);
+      if (const auto zero = crossing.add(ends.second))
+        return intersection(zero->box(), box);
+    }
+    return std::nullopt;
   }
 
   /// The corners of the box at which the linear part of the form is least and largest.
@@ -185,16 +221,18 @@ private:
     const auto at = [this](const Vector3d& point) { return look({ point, point }).measure; };
     if (!(at(low).upper() <= 0.0 && at(high).lower() >= 0.0))
       return std::nullopt;
-    while ((high - low).squaredNorm() > FINE * FINE * model_.squaredScale())
+    bool is_narrower = true;
+    while (is_narrower && (high - low).squaredNorm() > FINE * FINE * model_.squaredScale())
     {
-      const Vector3d middle = 0.5 * low + 0.5 * high;
-      const Form value = at(middle);
-      if (value.upper() <= 0.0)
-        low = middle;
-      else if (value.lower() >= 0.0)
-        high = middle;
-      else
-        break;
+      is_narrower = false;
+      for (std::size_t k = 0; k < std::size(DIVISIONS) && !is_narrower; ++k)
+      {
+        const Vector3d point = DIVISIONS[k] * low + (1.0 - DIVISIONS[k]) * high;
+        const Form value = at(point);
+        is_narrower = value.upper() <= 0.0 || value.lower() >= 0.0;
+        if (is_narrower)
+          (value.upper() <= 0.0 ? low : high) = point;
+      }
     }
     return Box{ low.cwiseMin(high), low.cwiseMax(high) };
   }
@@ -214,8 +252,10 @@ private:
   const SingularityQuery& query_;
   const Slack& slack_;
   const std::size_t measure_;
+  const std::vector<StrutSphere> spheres_;
   const bool two_sided_;
   const std::chrono::steady_clock::time_point begin_;
+  Box root_;
   std::priority_queue<Node> open_;
   double least_seen_ = INF;
   SingularityAnswer answer_;
@@ -241,10 +281,12 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   const Slack slack = slackOf(machine, query);
   const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
   Singularities result;
+  const std::vector<StrutSphere> spheres = strutSpheres(machine);
   ThreadPool pool(query.budget.threads, 0.0);
   pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
-    answer = LeastMeasure(model, query, slack, measure).run(root);
+    const std::vector<StrutSphere> none;
+    answer = LeastMeasure(model, query, slack, measure, measure == PARALLEL ? spheres : none).run(root);
   });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

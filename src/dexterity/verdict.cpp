@@ -14,6 +14,8 @@ constexpr double LEAST_WIDTH = 1e-13;
 BoxTest::BoxTest(const Machine& machine, const Criterion& criterion, Precision precision)
   : model_(machine, criterion), kernel_(std::move(boxKernels(model_).front())), scale_(machine.scale())
 {
+  if (model_.oriented() && !criterion.settlesAspect())
+    spheres_ = strutSpheres(machine);
   if (precision == Precision::MULTIPLE)
     precise_kernel_ = preciseKernel(machine, criterion);
 }

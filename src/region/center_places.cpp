@@ -15,12 +15,16 @@ void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
 }
 
 /// Learns from a region that is refused. Along parallel rails a point is bad for other regions too if it is without
-/// joint limits, and then all along the rails.
-void CenterSearch::learn(const Candidate& refused, const Eigen::Vector3d& bad_point)
+/// joint limits, and then all along the rails. A bad point that no double is cannot be known, but its place in K can.
+void CenterSearch::learn(const Candidate& refused, const ContainmentResult& proof)
 {
+  const Eigen::Vector3d& bad_point = *proof.bad_point;
   if (!space_.travel)
   {
-    witnesses_.learn(refused.center, refused.size, bad_point);
+    if (proof.bad_within > 0.0)
+      witnesses_.learnPlace(refused.center, refused.size, bad_point);
+    else
+      witnesses_.learn(refused.center, refused.size, bad_point);
     return;
   }
   const Eigen::Vector3d place = space_.travel->placeOf(refused.center);

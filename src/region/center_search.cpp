@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "pkm_workspace/region/containment.h"
-
 namespace pkm_workspace
 {
 namespace
@@ -87,15 +85,15 @@ double CenterSearch::upperBound() const
   return std::min(space_.size_bound, std::max({ incumbent_.size, excluded_bound_, unsettled_bound_, open }));
 }
 
-/// Makes the region the incumbent if it is larger and proved. @return a bad point that stands in the way, of the
+/// Makes the region the incumbent if it is larger and proved. @return with a bad point if one stands in the way, of the
 /// region's place where there are places
-std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
+ContainmentResult CenterSearch::certify(const Candidate& candidate)
 {
   if (candidate.size <= incumbent_.size || verification_boxes_ >= most_verification_boxes_)
-    return std::nullopt;
+    return {};
   const std::int64_t most = std::min(VERIFICATION_BOXES, most_verification_boxes_ / VERIFICATIONS + 1);
   const Candidate region = settled(candidate);
-  const ContainmentResult proof =
+  ContainmentResult proof =
       checkContainment(test_, *query_.shape, region.center, region.size, most, query_.budget.stop);
   verification_boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
@@ -103,9 +101,9 @@ std::optional<Eigen::Vector3d> CenterSearch::certify(const Candidate& candidate)
     incumbent_ = region;
     found_ = true;
   }
-  if (!proof.bad_point || !space_.travel)
-    return proof.bad_point;
-  return *proof.bad_point + (space_.travel->placeOf(region.center) - region.center);
+  if (proof.bad_point && space_.travel)
+    *proof.bad_point += space_.travel->placeOf(region.center) - region.center;
+  return proof;
 }
 
 /// Certifies a region a little smaller than the candidate. @return whether one was found
@@ -128,10 +126,10 @@ void CenterSearch::climbFrom(const Candidate& start)
   for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
   {
     found = local_search_.climb(found, BACK_OFFS[0] * accuracy_);
-    const auto bad_point = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
-    if (!bad_point)
+    const ContainmentResult proof = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
+    if (!proof.bad_point)
       break;
-    learn(found, *bad_point);
+    learn(found, proof);
   }
   if (found.size > incumbent_.size + 0.5 * accuracy_)
     certifyBelow(found);
@@ -164,9 +162,9 @@ void CenterSearch::tryCenter(const Box& centers, double size)
   const Candidate candidate = searched({ centers.center(), size });
   if (!center_tests_.front().isPromising(candidate.center, size))
     return;
-  const auto bad_point = certify(candidate);
-  if (bad_point)
-    learn(candidate, *bad_point);
+  const ContainmentResult proof = certify(candidate);
+  if (proof.bad_point)
+    learn(candidate, proof);
   else if (incumbent_.size == size)
   {
     grow();
@@ -180,9 +178,9 @@ void CenterSearch::grow()
   for (double step = accuracy_;; step *= 2.0)
   {
     const Candidate larger{ incumbent_.center, incumbent_.size + step };
-    const auto bad_point = certify(larger);
-    if (bad_point)
-      learn(larger, *bad_point);
+    const ContainmentResult proof = certify(larger);
+    if (proof.bad_point)
+      learn(larger, proof);
     if (incumbent_.size != larger.size)
       return;
   }
@@ -293,7 +291,7 @@ LargestRegion CenterSearch::result(bool done) const
   region.boxes = boxes_;
   region.verification_boxes = verification_boxes_;
   region.seconds = seconds();
-  conclude(region, query_.accuracy, !done);
+  conclude(region, query_.accuracy, done ? "" : query_.budget.endedBy(region.seconds, boxes_));
   return region;
 }
 }  // namespace pkm_workspace

@@ -23,7 +23,15 @@ Enclosed<double> exactly(double value)
 CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
                        const RailTravel* travel)
   : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel)
-{}
+{
+  if (test.spheres().empty())
+    return;
+  const std::vector<Eigen::Vector3d> extremes = shape.extremePoints();
+  for (std::size_t k = 0; k < extremes.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (const auto middle = nearestInside(shape, 0.5 * (extremes[k] + extremes[l]), Eigen::Vector3d::Zero(), 1.0))
+        between_.push_back(*middle);
+}
 
 /// @return true when that alone excludes the box
 bool CenterTest::addTravel(const Box& places, double size)
@@ -53,6 +61,39 @@ bool CenterTest::addNecessary(const NecessaryForms& necessary)
     return true;
   for (std::size_t k = 0; k < necessary.forms; ++k)
     if (add(necessary.form[k]))
+      return true;
+  return false;
+}
+
+/// Whether for every center of the box a point between two extreme points lies within the sphere and in its cone.
+bool CenterTest::reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const
+{
+  return std::any_of(between_.begin(), between_.end(), [&](const Eigen::Vector3d& point) {
+    const CenteredBox<double> there = box.moved(size, point);
+    return sphere.hasInCone(there) && sphere.excess(there).upper() < 0.0;
+  });
+}
+
+/// What a region shares with the cone of a sphere is on one side of it: on which one, a point tells that is there for
+/// all centers of the box.
+/// @return true when all regions have points on both sides
+bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>& box, const Box& centers, double size)
+{
+  excesses_.clear();
+  bool within = shape_.contains(sphere.center(), centers, size);
+  bool beyond = false;
+  for (const Eigen::Vector3d& place : witnesses_.ofShape())
+  {
+    const CenteredBox<double> there = box.moved(size, place);
+    if (!sphere.hasInCone(there))
+      continue;
+    excesses_.push_back(sphere.excess(there));
+    within = within || excesses_.back().upper() < 0.0;
+    beyond = beyond || excesses_.back().lower() > 0.0;
+  }
+  within = within || (!excesses_.empty() && reachesInto(sphere, box, size));
+  for (const AffineForm<double>& excess : excesses_)
+    if ((within && add(-excess)) || (beyond && add(excess)))
       return true;
   return false;
 }
@@ -121,6 +162,9 @@ bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kern
       return true;
   if (travel_ && addTravel(centers, size))
     return true;
+  for (const StrutSphere& sphere : test_.spheres())
+    if (addSphere(sphere, box, centers, size))
+      return true;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();

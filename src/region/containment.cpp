@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/region/bad_point.h"
 
 namespace pkm_workspace
@@ -57,12 +58,17 @@ class Proof
 {
 public:
   Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
-    : test_(test), search_(test, shape, center, size), shape_(shape), center_(center), size_(size)
+    : test_(test)
+    , search_(test, shape, center, size)
+    , crossing_(test.spheres())
+    , shape_(shape)
+    , center_(center)
+    , size_(size)
   {}
 
   ContainmentResult run(std::int64_t max_boxes, const std::atomic<bool>* stop)
   {
-    if (refuteAtExtremes() || !aspectIsRight())
+    if (refuteAtExtremes() || refuteAtSpheres() || !aspectIsRight())
       return result_;
     divideAtCenter(shape_.boundingBox(center_, size_));
     while (!open_.empty())
@@ -100,6 +106,30 @@ private:
     test_.kernel().margins(center_, size_, extremes.data(), extremes.size(), margins.data());
     const auto worst = std::min_element(margins.begin(), margins.end());
     return refute(center_ + size_ * extremes[static_cast<std::size_t>(worst - margins.begin())], *worst);
+  }
+
+  bool refuteAtSpheres()
+  {
+    bool is_refuted = false;
+    for (const StrutSphere& sphere : test_.spheres())
+      is_refuted = is_refuted || refuteNear(sphere.center());
+    for (const Eigen::Vector3d& extreme :
+         test_.spheres().empty() ? std::vector<Eigen::Vector3d>() : shape_.extremePoints())
+      is_refuted = is_refuted || refuteNear(center_ + size_ * extreme);
+    return is_refuted;
+  }
+
+  /// Looks whether the region reaches over a sphere from where it was seen before to its point nearest to this one.
+  bool refuteNear(const Eigen::Vector3d& point)
+  {
+    const auto inside = nearestInside(shape_, point, center_, size_);
+    const auto bad = inside ? crossing_.add(*inside) : std::nullopt;
+    if (!bad)
+      return false;
+    result_.verdict = Containment::OUTSIDE;
+    result_.bad_point = bad->point;
+    result_.bad_within = bad->distance;
+    return true;
   }
 
   /// Looks at the next parts, divides those that stay undecided. @return whether the proof can go on
@@ -141,6 +171,9 @@ private:
         centers[undecided++] = shape_.nearest(parts[k].center(), center_, size_);
     if (undecided == 0)
       return false;
+    for (std::size_t k = 0; k < undecided && !test_.spheres().empty(); ++k)
+      if (refuteNear(centers[k]))
+        return true;
     test_.kernel().margins(Eigen::Vector3d::Zero(), 1.0, centers.data(), undecided, margins.data());
     const auto worst = std::min_element(margins.begin(), margins.begin() + static_cast<std::ptrdiff_t>(undecided));
     return refute(centers[static_cast<std::size_t>(worst - margins.begin())], *worst);
@@ -172,6 +205,7 @@ private:
 
   const BoxTest& test_;
   BadPointSearch search_;
+  SphereCrossing crossing_;
   const Shape& shape_;
   Eigen::Vector3d center_;
   double size_;

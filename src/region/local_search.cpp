@@ -36,7 +36,47 @@ LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
   double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
   for (const Eigen::Vector3d& point : witnesses_.bad())
     violation = std::max(violation, exitOf(candidate, point).depth);
+  violation = std::max(violation, excessOf(candidate));
   return { candidate, std::max(0.0, violation) };
+}
+
+/// Whether the region has a point within the sphere and in its cone: then all that it has in the cone has to be within.
+bool LocalSearch::reachesInto(const StrutSphere& sphere, const Candidate& candidate) const
+{
+  const Eigen::Vector3d nearest = shape_.nearest(sphere.center(), candidate.center, candidate.size);
+  const CenteredBox<double> there(Box{ nearest, nearest });
+  return nearest == sphere.center() || (sphere.hasInCone(there) && sphere.excess(there).center < 0.0);
+}
+
+/// How far the worst witness point is beyond a sphere that the region reaches into [m].
+double LocalSearch::excessOf(const Candidate& candidate) const
+{
+  double excess = 0.0;
+  for (const StrutSphere& sphere : test_.spheres())
+    if (reachesInto(sphere, candidate))
+      for (const Eigen::Vector3d& place : witnesses_.ofShape())
+      {
+        const Eigen::Vector3d point = candidate.center + candidate.size * place;
+        const CenteredBox<double> there(Box{ point, point });
+        if (sphere.hasInCone(there))
+          excess = std::max(excess, sphere.radius() * sphere.excess(there).center);
+      }
+  return excess;
+}
+
+/// Appends rows that keep the region within the spheres that it reaches into.
+void LocalSearch::addSpheres(const Candidate& from, double trust)
+{
+  CenteredBox<double> box(Box{ from.center, from.center });
+  box.half_widths.fill(DIFFERENCE * scale_);
+  for (const StrutSphere& sphere : test_.spheres())
+    if (reachesInto(sphere, from))
+      for (const Eigen::Vector3d& place : witnesses_.ofShape())
+      {
+        const CenteredBox<double> there = box.moved(from.size, place);
+        if (sphere.hasInCone(there))
+          addRow(-sphere.excess(there), trust, place);
+      }
 }
 
 LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const
@@ -98,6 +138,7 @@ void LocalSearch::linearize(const Candidate& from, double trust)
     for (std::size_t row = 0; row < necessary_[k].forms; ++row)
       addRow(necessary_[k].form[row], trust, places[k]);
   addExits(from, trust);
+  addSpheres(from, trust);
 }
 
 /// Adds a row for every matrix that is not semidefinite at the programme's optimum.

@@ -30,15 +30,12 @@ void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eige
   learnPlace(center, size, bad_point);
 }
 
-void WitnessPoints::learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point)
+void WitnessPoints::learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& point)
 {
-  const auto place = nearestInside(shape_, (bad_point - center) / size, Eigen::Vector3d::Zero(), 1.0);
-  if (place)
-    learnPlace(*place);
-}
-
-void WitnessPoints::learnPlace(const Eigen::Vector3d& k)
-{
+  const auto place = nearestInside(shape_, (point - center) / size, Eigen::Vector3d::Zero(), 1.0);
+  if (!place)
+    return;
+  const Eigen::Vector3d& k = *place;
   const double least = LEAST_DISTANCE * shape_.halfExtents().maxCoeff();
   for (std::size_t known = extremes_; known < of_shape_.size(); ++known)
     if ((of_shape_[known] - k).cwiseAbs().maxCoeff() < least)

@@ -29,6 +29,8 @@ std::string sentence(const ContainmentResult& result, const PointEvaluator& eval
     return "proved: every point of the region satisfies the criterion";
   if (result.verdict == Containment::UNDECIDED)
     return "undecided: the border is within rounding, or more boxes are needed";
+  if (result.bad_within > 0.0)
+    return "proved: within rounding of the bad point two struts are one vector, det A is 0: a parallel singularity";
   return "proved: the bad point violates the criterion; " +
          describe(evaluator(*result.bad_point).binding(), evaluator.machine());
 }

@@ -46,6 +46,16 @@ public:
            (criterion_.kappa_max == 0.0 || condition(strut, eta) <= criterion_.kappa_max);
   }
 
+  /// det A [m^3]; the point must be reachable.
+  Number determinant(const Vector& point) const
+  {
+    std::array<Vector, 3> strut;
+    Number eta;
+    for (int i = 0; i < 3; ++i)
+      solveLeg(i, point, strut[static_cast<std::size_t>(i)], eta);
+    return det(strut);
+  }
+
   /// rho of leg i [m]; the point must be reachable.
   Number joint(int i, const Vector& point) const
   {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "pkm_workspace/dexterity/box_kernel.h"
+#include "pkm_workspace/dexterity/strut_sphere.h"
 
 namespace pkm_workspace
 {
@@ -29,6 +30,10 @@ public:
 
   const MachineModel<double>& model() const { return model_; }
 
+  /// Spheres where det A is 0 although no form may tell: those of the machine where only the sign of det A is asked
+  /// for.
+  const std::vector<StrutSphere>& spheres() const { return spheres_; }
+
   /// The arithmetic for many boxes at a time.
   const BoxKernel& kernel() const { return *kernel_; }
 
@@ -51,6 +56,7 @@ public:
 
 private:
   MachineModel<double> model_;
+  std::vector<StrutSphere> spheres_;
   std::shared_ptr<const BoxKernel> kernel_;
   std::shared_ptr<const BoxKernel> precise_kernel_;
   double scale_;  ///< the longest strut [m]

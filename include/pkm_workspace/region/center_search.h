@@ -9,6 +9,7 @@
 #include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/region/center_test.h"
+#include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/local_search.h"
 
@@ -62,8 +63,8 @@ private:
   const BoxTest& testOfClimbs() const;
   Candidate settled(const Candidate& candidate) const;
   Candidate searched(const Candidate& candidate) const;
-  std::optional<Eigen::Vector3d> certify(const Candidate& candidate);
-  void learn(const Candidate& refused, const Eigen::Vector3d& bad_point);
+  ContainmentResult certify(const Candidate& candidate);
+  void learn(const Candidate& refused, const ContainmentResult& proof);
   bool certifyBelow(const Candidate& candidate);
   void processWave();
   Look lookAt(const Node& node, double size, CenterTest& center_test) const;

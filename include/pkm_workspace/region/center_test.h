@@ -18,9 +18,10 @@ namespace pkm_workspace
 /// v this makes v^T S v at c + h k, an affine form in the position delta of c within the box, necessarily non-negative.
 /// A linear programme over all these forms finds weights mu >= 0 whose combination is negative on the whole box
 /// (Farkas); the combination is then checked in sound arithmetic. Vectors are added where the programme's optimum still
-/// violates definiteness (Kelley's cutting planes). Known bad points give forms too: no region may contain them. Along
-/// parallel rails the boxes are of places, and the delta that they leave over is the travel: a combination then
-/// excludes all of it at once. Holds its working memory: one object a thread.
+/// violates definiteness (Kelley's cutting planes). Known bad points give forms too: no region may contain them. So do
+/// spheres where struts are one: no region may lie on both sides. Along parallel rails the boxes are of places, and the
+/// delta that they leave over is the travel: a combination then excludes all of it at once. Holds its working memory:
+/// one object a thread.
 class CenterTest
 {
 public:
@@ -45,6 +46,8 @@ private:
   bool addTravel(const Box& places, double size);
   bool addNecessary(const NecessaryForms& necessary);
   bool add(const AffineForm<double>& form);
+  bool addSphere(const StrutSphere& sphere, const CenteredBox<double>& box, const Box& centers, double size);
+  bool reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const;
   bool combinationExcludes();
   bool addCuts();
 
@@ -55,6 +58,8 @@ private:
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
   std::vector<AffineForm<double>> travel_forms_;
+  std::vector<Eigen::Vector3d> between_;      ///< points of K, exactly, between its extreme points
+  std::vector<AffineForm<double>> excesses_;  ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
   double room_ = 0.0;

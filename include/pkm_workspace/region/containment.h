@@ -21,8 +21,10 @@ enum class Containment
 struct ContainmentResult
 {
   Containment verdict = Containment::UNDECIDED;
-  std::optional<Eigen::Vector3d> bad_point;  ///< with OUTSIDE: a point of the region that is proved to be bad [m]
-  std::int64_t boxes = 0;                    ///< boxes looked at
+  /// With OUTSIDE: a point of the region that is proved to be bad, or no further from one than bad_within [m].
+  std::optional<Eigen::Vector3d> bad_point;
+  double bad_within = 0.0;  ///< above 0 where two struts are one vector at the bad point, a singularity [m]
+  std::int64_t boxes = 0;   ///< boxes looked at
 };
 
 /// Whether c + h K satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.

@@ -48,12 +48,15 @@ private:
   };
 
   Step assess(const Candidate& candidate);
+  bool reachesInto(const StrutSphere& sphere, const Candidate& candidate) const;
+  double excessOf(const Candidate& candidate) const;
   Exit exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const;
   void addExits(const Candidate& from, double trust);
   double merit(const Step& step) const;
   Candidate propose(const Step& step, double trust);
   void linearize(const Candidate& from, double trust);
   void addRow(const AffineForm<double>& form, double trust, const Eigen::Vector3d& witness);
+  void addSpheres(const Candidate& from, double trust);
   bool addCuts(double trust);
 
   const BoxTest& test_;

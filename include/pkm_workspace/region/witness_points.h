@@ -31,8 +31,6 @@ public:
   void learn(const Eigen::Vector3d& bad_point);
 
 private:
-  void learnPlace(const Eigen::Vector3d& k);
-
   const Shape& shape_;
   std::size_t extremes_;
   std::vector<Eigen::Vector3d> of_shape_;
