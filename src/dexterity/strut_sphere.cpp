@@ -63,7 +63,7 @@ std::vector<StrutSphere> strutSpheres(const Machine& machine)
   {
     const Leg& a = machine.leg(first);
     const Leg& b = machine.leg(second);
-    if (!a.length.isSingle() || a.length != b.length || areParallel(a, b))
+    if (!a.length.isSingle() || a.length != b.length || parallelSense(a, b) != 0)
       continue;
     const Vector3d meeting = nearestOf(machine, first, second);
     if (meeting.allFinite() && isOnLine(machine, first, meeting) && isOnLine(machine, second, meeting))
