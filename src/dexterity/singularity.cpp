@@ -39,22 +39,18 @@ Criterion criterionOf(const SingularityQuery& query)
   return criterion;
 }
 
-/// By how much each end of the limits has to be kept so that a point counts for certain [m]: (leg, side).
-using Slack = std::array<std::array<double, 2>, 3>;
-
-Slack slackOf(const Machine& machine, const SingularityQuery& query)
+/// The model whose limits hold where a point counts for certain; nothing where none does.
+std::optional<MachineModel<double>> sureModel(const Machine& machine, const Criterion& criterion,
+                                              const SingularityQuery& query)
 {
-  Slack slack = {};
+  Machine::Legs legs = machine.legs();
   for (std::size_t i = 0; query.surely_within && i < 3; ++i)
   {
-    const Interval& sure = (*query.surely_within)[i];
-    const Interval& limits = machine.leg(static_cast<int>(i)).limits;
-    slack[i] = { INF, INF };
-    if (!sure.isEmpty() && limits.isBounded())
-      slack[i] = { (Interval(sure.lower()) - Interval(limits.lower())).upper(),
-                   (Interval(limits.upper()) - Interval(sure.upper())).upper() };
+    legs[i].limits = (*query.surely_within)[i];
+    if (legs[i].limits.isEmpty())
+      return std::nullopt;
   }
-  return slack;
+  return MachineModel<double>(Machine(machine.name(), legs, machine.zero()), criterion);
 }
 
 /// One look at a box as a whole.
@@ -64,11 +60,13 @@ struct Look
   bool inside;   ///< every point counts, up to the sign of the measure
   Form measure;  ///< [m^2] or [m^3]; valid where all struts reach
 
-  /// @param enough a point counts for certain where the form is at least this
-  void ask(const Form& form, bool is_measure, double enough = 0.0)
+  void exclude(const Form& form) { empty = empty || form.upper() < 0.0; }
+  void require(const Form& form) { inside = inside && form.lower() >= 0.0; }
+  void ask(const Form& form, bool is_measure)
   {
-    empty = empty || form.upper() < 0.0;
-    inside = inside && (is_measure || form.lower() >= enough);
+    exclude(form);
+    if (!is_measure)
+      require(form);
   }
 };
 
@@ -76,12 +74,13 @@ struct Look
 class LeastMeasure
 {
 public:
+  /// @param sure the model whose limits hold where a point counts for certain; nothing where none does
   /// @param spheres where det A is zero, too, maybe without changing its sign
-  LeastMeasure(const MachineModel<double>& model, const SingularityQuery& query, const Slack& slack,
-               std::size_t measure, const std::vector<StrutSphere>& spheres)
+  LeastMeasure(const MachineModel<double>& model, const std::optional<MachineModel<double>>& sure,
+               const SingularityQuery& query, std::size_t measure, const std::vector<StrutSphere>& spheres)
     : model_(model)
+    , sure_(sure)
     , query_(query)
-    , slack_(slack)
     , measure_(measure)
     , spheres_(spheres)
     , two_sided_(measure == PARALLEL && !model.oriented())
@@ -131,14 +130,18 @@ private:
     const CenteredBox<double> centered(box);
     const MachineForms<double> forms = model_.evaluate(centered);
     const BoxVerdict part = query_.part ? query_.part(box) : BoxVerdict::INSIDE;
-    Look look{ part == BoxVerdict::OUTSIDE, part == BoxVerdict::INSIDE,
+    Look look{ part == BoxVerdict::OUTSIDE, sure_ && part == BoxVerdict::INSIDE,
                measure_ == PARALLEL ? model_.orientation(forms) : forms.radicand[measure_] };
     for (std::size_t leg = 0; leg < 3; ++leg)
     {
       look.ask(forms.radicand[leg], leg == measure_);
       for (const int side : { 0, 1 })
+      {
         if (model_.limited(leg, side))
-          look.ask(model_.limitMargin(leg, side, forms, centered), false, slack_[leg][static_cast<std::size_t>(side)]);
+          look.exclude(model_.limitMargin(leg, side, forms, centered));
+        if (sure_ && sure_->limited(leg, side))
+          look.require(sure_->limitMargin(leg, side, forms, centered));
+      }
     }
     if (model_.oriented())
       look.ask(model_.orientation(forms), measure_ == PARALLEL);
@@ -249,8 +252,8 @@ private:
   }
 
   const MachineModel<double>& model_;
+  const std::optional<MachineModel<double>>& sure_;
   const SingularityQuery& query_;
-  const Slack& slack_;
   const std::size_t measure_;
   const std::vector<StrutSphere> spheres_;
   const bool two_sided_;
@@ -278,7 +281,7 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   const auto begin = std::chrono::steady_clock::now();
   const Criterion criterion = criterionOf(query);
   const MachineModel<double> model(machine, criterion);
-  const Slack slack = slackOf(machine, query);
+  const std::optional<MachineModel<double>> sure = sureModel(machine, criterion, query);
   const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
   Singularities result;
   const std::vector<StrutSphere> spheres = strutSpheres(machine);
@@ -286,7 +289,7 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
     const std::vector<StrutSphere> none;
-    answer = LeastMeasure(model, query, slack, measure, measure == PARALLEL ? spheres : none).run(root);
+    answer = LeastMeasure(model, sure, query, measure, measure == PARALLEL ? spheres : none).run(root);
   });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
