@@ -110,7 +110,7 @@ TEST(RegionQuery, refusesAccuraciesOutOfAllProportion)
   {
     query.accuracy = accuracy;
     test::expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); },
-                                             "accuracy = 1e.* must be from 1e-18 to 1000 for this machine");
+                                             "accuracy = 1.* must be from 1e-18 to 1000 for this machine");
   }
   query.shape = makeBox({ 0.01, 0.02, 0.01 });  // sizes are a hundred times larger
   test::expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); }, "from 5e-17 to 50000 ");
