@@ -117,6 +117,8 @@ bool RailTravel::alwaysLeavesTravel(double size_bound) const
 
 Box RailTravel::centers() const
 {
+  if (!places_.isValid())
+    return places_;
   const Box box = boundingBox(enclose(places_) + Interval(-reach_, reach_) * directionOf(machine_));
   return search_box_ ? intersection(box, *search_box_) : box;
 }

@@ -33,8 +33,8 @@ Machine withParallelRails(unsigned seed)
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const double angle = 2.0944 * static_cast<double>(i) + random.uniform(-0.2, 0.2);
-    const double radius = random.uniform(0.3, 0.45);
+    const double angle = 2.0944 * static_cast<double>(i) + random.uniform(-0.15, 0.15);
+    const double radius = random.uniform(0.43, 0.52);
     const double sign = random.sign();
     legs[i].joint = "rail_" + std::to_string(i + 1);
     legs[i].axis = { 0.0, 0.0, sign };
@@ -197,6 +197,7 @@ TEST(RailTravel, aGivenCenterIsKept)
   EXPECT_LE(there.size, best.size_upper_bound);
   EXPECT_GE(there.size_upper_bound, best.size);
   const LargestRegion besides = largestRegionAt(machine, query, machine.zero());
+  EXPECT_GT(besides.size, 0.0);
   EXPECT_EQ(besides.center, machine.zero());
   EXPECT_EQ(besides.status, LargestRegion::Status::PROVEN);
 }
