@@ -25,7 +25,7 @@ LONG = rospy.Duration(PATIENCE)
 LIMITS = CriterionRequest(joint_limits=CriterionRequest.ON)
 FREE = CriterionRequest(joint_limits=CriterionRequest.OFF)
 # Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
-ENDLESS = FindLargestRegionGoal(RegionRequest(criterion=LIMITS, accuracy=1e-14, time_limit=86400.0))
+ENDLESS = FindLargestRegionGoal(RegionRequest(shape="sphere", criterion=LIMITS, accuracy=1e-14, time_limit=86400.0))
 ENDLESS_PAVING = ApproximateWorkspaceGoal(PavingRequest(criterion=LIMITS, resolution=1e-4, time_limit=86400.0))
 
 

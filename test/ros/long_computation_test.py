@@ -13,8 +13,8 @@ from node_process import NAME, PATIENCE, NodeProcess, urdf
 from pkm_workspace.msg import CriterionRequest, ErrorCode, Region, RegionRequest
 from pkm_workspace.srv import ComputeConditioning, ComputeLargestRegion, GetRegion, SetCriterion
 
-# Within its joint limits the UraneSX has its largest square at any height: best centers have no end.
-ENDLESS = {"shape": "square", "joint_limits": True, "accuracy": 1e-14}
+# Proofs of round regions to the last digits take thousands of parts each.
+ENDLESS = {"shape": "sphere", "joint_limits": True, "accuracy": 1e-14}
 
 
 def service(name, kind):
@@ -32,7 +32,7 @@ def wait_until(condition):
 def ask_for_the_endless():
     compute = service("compute_largest_region", ComputeLargestRegion)
     with contextlib.suppress(rospy.ServiceException):  # the node may end before it has answered
-        compute(RegionRequest(accuracy=1e-14, criterion=CriterionRequest(joint_limits=CriterionRequest.ON)))
+        compute(RegionRequest(shape="sphere", accuracy=1e-14, criterion=CriterionRequest(joint_limits=CriterionRequest.ON)))
 
 
 def ask_for_the_endless_mean():
@@ -45,7 +45,7 @@ class LongComputationTest(unittest.TestCase):
         with NodeProcess(urdf("uranesx"), {**ENDLESS, "time_limit": 86400}) as node:
             response = service("get_region", GetRegion)()
             self.assertEqual(ErrorCode.NOT_READY, response.error_code)
-            self.assertRegex(response.message, "still running: largest square")
+            self.assertRegex(response.message, "still running: largest sphere")
             node.interrupt()
             self.assertEqual(0, node.wait()[0])
 
@@ -55,7 +55,7 @@ class LongComputationTest(unittest.TestCase):
             wait_until(lambda: get_region().error_code == ErrorCode.SUCCESS)
             region = get_region().region
             self.assertEqual(Region.STOPPED, region.status)
-            self.assertGreater(region.size, 0.5)
+            self.assertGreater(region.size, 0.3)
             self.assertGreater(region.size_upper_bound, region.size + 1e-14)
 
     def test_another_criterion_ends_what_is_stale(self):
