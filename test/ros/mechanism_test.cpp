@@ -81,7 +81,7 @@ TEST_F(Mechanism, saysWhichBoundDoesNotHold)
   const auto shown = markers("tool_markers", [&](const std::vector<Marker>& found) {
     return std::abs(named(found, "ellipsoid").pose.position.x - stretched.x()) < 1e-9;
   });
-  EXPECT_NE(std::string::npos, textOf(shown, "reason").find("psi")) << textOf(shown, "reason");
+  EXPECT_NE(std::string::npos, textOf(shown, "reason").find("velocity transmission factor")) << textOf(shown, "reason");
 }
 
 TEST_F(Mechanism, stopsWhereRailsHaveNoAssemblyAndSaysSo)
