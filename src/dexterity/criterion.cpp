@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/text.h"
 
 namespace pkm_workspace
@@ -34,8 +34,7 @@ constexpr double LARGEST = 1e100;
 
 void complain(Problems& problems, const std::string& name, double value, const std::string& allowed)
 {
-  std::ostringstream text;
-  text.precision(17);
+  TextStream text;
   text << name << " = " << value << ' ' << allowed;
   problems.push_back(text.str());
 }
@@ -59,8 +58,7 @@ void validateBox(const char* name, const Box& box, Problems& problems)
   {
     if (std::isfinite(box.lower[axis]) && std::isfinite(box.upper[axis]) && box.lower[axis] <= box.upper[axis])
       continue;
-    std::ostringstream text;
-    text.precision(17);
+    TextStream text;
     text << name << ' ' << "xyz"[axis] << " = [" << box.lower[axis] << ", " << box.upper[axis]
          << "] m must be finite, the lower end first";
     problems.push_back(text.str());
@@ -117,8 +115,7 @@ public:
   {
     if (lower <= upper)
       return;
-    std::ostringstream text;
-    text.precision(17);
+    TextStream text;
     text << fromWhere(largest) << "must be at least " << least << " = " << lower << ' ' << fromWhere(least)
          << "(transmission factors, without unit)";
     complain(problems_, largest, upper, text.str());
@@ -199,8 +196,7 @@ std::string quality(const Criterion& criterion)
 
 std::string describe(const Criterion& criterion)
 {
-  std::ostringstream text;
-  text.precision(17);
+  TextStream text;
   if (criterion.set == Criterion::Set::DEXTROUS)
     text << "dextrous with psi in [" << criterion.psi_min << ", " << criterion.psi_max << "]";
   else

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -99,7 +100,7 @@ PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const
 {
   if (!point.allFinite())
   {
-    std::ostringstream text;
+    TextStream text;
     text << "the point (" << point.x() << ", " << point.y() << ", " << point.z() << ") m must be finite";
     throw std::invalid_argument(text.str());
   }

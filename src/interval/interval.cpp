@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "subnormal.h"
 
 namespace pkm_workspace
@@ -40,7 +40,7 @@ Interval enclose(MpfrFunction function, double argument)
 
 [[noreturn]] void throwDomainError(const char* operation, const Interval& operand, const char* reason)
 {
-  std::ostringstream text;
+  TextStream text;
   text << operation << operand << reason;
   throw std::domain_error(text.str());
 }
@@ -52,9 +52,8 @@ Interval::Interval(double lower, double upper) : lower_(lower), upper_(upper)
 {
   if (lower <= upper && lower < INF && upper > -INF)
     return;
-  std::ostringstream text;
-  text << std::setprecision(17) << "an interval needs real numbers with lower <= upper, got [" << lower << ", " << upper
-       << "]";
+  TextStream text;
+  text << "an interval needs real numbers with lower <= upper, got [" << lower << ", " << upper << "]";
   throw std::invalid_argument(text.str());
 }
 
@@ -251,9 +250,6 @@ std::ostream& operator<<(std::ostream& stream, const Interval& x)
 {
   if (x.isEmpty())
     return stream << "[empty]";
-  const auto precision = stream.precision(17);
-  stream << '[' << x.lower() << ", " << x.upper() << ']';
-  stream.precision(precision);
-  return stream;
+  return stream << '[' << exact(x.lower()) << ", " << exact(x.upper()) << ']';
 }
 }  // namespace pkm_workspace

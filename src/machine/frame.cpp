@@ -2,8 +2,9 @@
 #include "pkm_workspace/machine/frame.h"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -12,8 +13,7 @@ namespace
 void validate(const Pose& pose)
 {
   const auto& q = pose.orientation;
-  std::ostringstream problems;
-  problems.precision(17);
+  TextStream problems;
   bool finite = true;
   for (std::size_t k = 0; k < 4; ++k)
     if (!std::isfinite(q[k]))

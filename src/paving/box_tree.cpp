@@ -2,8 +2,9 @@
 #include "pkm_workspace/paving/box_tree.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -28,7 +29,7 @@ Bisection::Bisection(const Box& root, double resolution) : root_(root), halvings
       return;
     if (++counts[widest] > MOST_HALVINGS)
     {
-      std::ostringstream text;
+      TextStream text;
       text << "resolution = " << resolution << " m must be at least " << sides_[widest].width(MOST_HALVINGS)
            << " m: a side of the box can be halved " << MOST_HALVINGS << " times";
       throw std::invalid_argument(text.str());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/paving.h"
 
-#include <sstream>
-
 #include "paver.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -12,8 +11,7 @@ namespace
 {
 std::string describe(const Box& box)
 {
-  std::ostringstream text;
-  text.precision(17);
+  TextStream text;
   text << "from (" << box.lower.transpose() << ") to (" << box.upper.transpose() << ") m";
   return text.str();
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <sstream>
 
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/paving/reachable_volume.h"
 
 namespace pkm_workspace
@@ -22,7 +22,7 @@ void validateRanges(const std::array<Interval, 3>& ranges, Problems& problems)
   for (std::size_t i = 0; i < 3; ++i)
     if (ranges[i].isEmpty() || !ranges[i].isBounded())
     {
-      std::ostringstream text;
+      TextStream text;
       text << "range of joint " << i + 1 << " = " << ranges[i] << " m must have two ends";
       problems.push_back(text.str());
     }

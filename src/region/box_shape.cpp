@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/shape.h"
 
 namespace pkm_workspace
@@ -165,8 +165,7 @@ ShapePtr makeBox(const Eigen::Vector3d& proportions)
                         (proportions.array() == 0.0 || proportions.array() >= 1e-100).all();
   if (!ordinary)
   {
-    std::ostringstream text;
-    text.precision(17);
+    TextStream text;
     text << "proportions (" << proportions.transpose() << ") [m per unit of size] must be finite, 0 or positive "
          << "(1e-100 to 1e100), and at least one of them positive";
     throw std::invalid_argument(text.str());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_region.h"
 
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_search.h"
 #include "pkm_workspace/region/largest_cylinder.h"
 
@@ -21,7 +22,7 @@ void RegionQuery::validate(Problems& problems) const
   if (!shape)
     problems.push_back("a shape is missing");
   if (ratio && !(ratio->lower > 0.0 && ratio->lower <= ratio->upper && ratio->upper <= 1e6))
-    problems.push_back("ratio = [" + std::to_string(ratio->lower) + ", " + std::to_string(ratio->upper) +
+    problems.push_back("ratio = [" + exact(ratio->lower) + ", " + exact(ratio->upper) +
                        "] must be from 1e-6 to 1e6, the least one first");
   criterion.validate(problems);
   if (criterion.aspect == Criterion::Aspect::BOTH && criterion.settlesAspect())
@@ -40,9 +41,10 @@ void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems
   const double coarsest = COARSEST_ACCURACY * unit;
   if (finest <= query.accuracy && query.accuracy <= coarsest)
     return;
-  std::ostringstream text;
-  text << "accuracy = " << query.accuracy << " (in the unit of the size, m for edges) must be from " << finest << " to "
-       << coarsest << " for this machine, whose longest strut is " << machine.scale() << " m";
+  TextStream text;
+  text << "accuracy = " << query.accuracy << " (in the unit of the size, m for edges) must be from "
+       << nearly(finest, 6) << " to " << nearly(coarsest, 6) << " for this machine, whose longest strut is "
+       << machine.scale() << " m";
   problems.push_back(text.str());
 }
 
@@ -61,7 +63,7 @@ void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& pro
     throw std::invalid_argument("shape = cylinder needs a ratio: the least and the largest of radius over height");
   if (!(ratio->lower <= ratio->upper))
   {
-    std::ostringstream text;
+    TextStream text;
     text << "ratio = [" << ratio->lower << ", " << ratio->upper << "] must have the least one first";
     throw std::invalid_argument(text.str());
   }

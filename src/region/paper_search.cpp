@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <sstream>
 #include <utility>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -160,8 +161,7 @@ private:
 
 void refuseUnless(bool holds, const char* name, double value, const char* allowed, Problems& problems)
 {
-  std::ostringstream text;
-  text.precision(17);
+  TextStream text;
   text << name << " = " << value << ' ' << allowed;
   if (!holds)
     problems.push_back(text.str());

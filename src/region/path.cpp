@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -54,7 +54,7 @@ public:
   {
     if (text_)
       return *text_ << '\n' << kind_ << ": ";
-    text_.emplace().precision(17);
+    text_.emplace();
     return *text_ << kind_ << ": ";
   }
   void throwIfAny() const
@@ -65,7 +65,7 @@ public:
 
 private:
   const char* kind_;
-  std::optional<std::ostringstream> text_;  ///< a stream takes longer to make than a line: only for what is wrong
+  std::optional<TextStream> text_;  ///< a stream takes longer to make than a line: only for what is wrong
 };
 
 /// A circle about an axis, with the point that it starts at.

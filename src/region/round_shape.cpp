@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/shape.h"
 
 namespace pkm_workspace
@@ -206,7 +206,7 @@ ShapePtr makeCylinder(double ratio)
 {
   if (!(ratio >= 1e-6 && ratio <= 1e6))
   {
-    std::ostringstream text;
+    TextStream text;
     text << "ratio = " << ratio << " (radius over height of a cylinder) must be from 1e-6 to 1e6";
     throw std::invalid_argument(text.str());
   }
@@ -218,8 +218,7 @@ ShapePtr makeCylinder(double radius, double height)
   const auto isOrdinary = [](double length) { return length >= 1e-100 && length <= 1e100; };
   if (!isOrdinary(radius) || !isOrdinary(height))
   {
-    std::ostringstream text;
-    text.precision(17);
+    TextStream text;
     text << "cylinder of radius " << radius << " m and height " << height
          << " m: both must be positive and finite (1e-100 to 1e100)";
     throw std::invalid_argument(text.str());

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -60,7 +61,7 @@ ShapePtr makeShape(const std::string& name, const Proportions& proportions)
   if (proportions && *proportions != 2.0 * shape->halfExtents())  // those that it has anyway are let pass
   {
     const Eigen::IOFormat tuple(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
-    std::ostringstream text;
+    TextStream text;
     text << "proportions = " << proportions->format(tuple) << " are for the shape box only, the shape is " << name;
     throw std::invalid_argument(text.str());
   }

@@ -50,8 +50,8 @@ Relation relationOf(const Limit& limit, const Machine& machine)
   if (!limit.value.isBounded() || !(relation.is_violated || relation.is_kept) || !(distance > NEAR * unit))
     return relation;
   const std::string value = nearly(limit.value.lower(), DIGITS);
-  const double number = std::stod(value);
-  const double bound = std::stod(nearly(limit.bound, DIGITS));
+  const double number = parseNumber(value).value_or(0.0);
+  const double bound = parseNumber(nearly(limit.bound, DIGITS)).value_or(0.0);
   const bool tells = is_below ? number < std::min(bound, limit.bound) : number > std::max(bound, limit.bound);
   if (tells && value == nearly(limit.value.upper(), DIGITS))
     relation.value = value + unitOf(limit.kind);

@@ -2,9 +2,10 @@
 #include "pkm_workspace/ros/box_marker.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "handles.h"
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -69,10 +70,10 @@ std::string textOf(const ContainmentResult& result)
     return "inside: proved for every point";
   if (result.verdict == Containment::UNDECIDED)
     return "undecided: its border is too near";
-  std::ostringstream text;
-  text.precision(4);
-  text << "outside: bad near (" << result.bad_point->x() << ", " << result.bad_point->y() << ", "
-       << result.bad_point->z() << ") m";
+  TextStream text;
+  const Eigen::Vector3d& bad = *result.bad_point;
+  text << "outside: bad near (" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", " << nearly(bad.z(), 4)
+       << ") m";
   return text.str();
 }
 

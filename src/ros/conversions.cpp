@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/conversions.h"
 
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -186,7 +187,7 @@ JointRanges jointRangesOf(const Region& region)
 
 std::string describe(const RegionQuery& query)
 {
-  std::ostringstream text;
+  TextStream text;
   text << "largest " << query.shape->name() << " with " << describe(query.criterion) << ", accuracy " << query.accuracy
        << " m, within " << query.budget.time_limit << " s";
   return text.str();
@@ -196,13 +197,10 @@ std::string summary(const Answer& answer)
 {
   const LargestRegion& region = answer.region;
   const Shape& shape = *region.shape;
-  std::ostringstream text;
-  text.precision(9);
+  TextStream text;
   text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m, " << shape.sizeMeaning() << " proven: ";
-  text.precision(17);
   text << region.size << ", no larger than " << region.size_upper_bound << "; ";
-  text.precision(3);
-  text << region.boxes + region.verification_boxes << " boxes, " << region.seconds << " s";
+  text << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

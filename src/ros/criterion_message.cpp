@@ -2,8 +2,8 @@
 #include "pkm_workspace/ros/criterion_message.h"
 
 #include <limits>
-#include <sstream>
 
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/version.h"
 
@@ -102,7 +102,7 @@ double timeLimitOf(double requested, double node, double longest, Problems& prob
   const double time_limit = valueOr(requested, node);
   if (time_limit > 0.0 && time_limit <= longest)
     return time_limit;
-  std::ostringstream text;
+  TextStream text;
   text << "time_limit = " << time_limit << " s must be positive and at most ";
   if (longest > node)
     text << longest << " s, or 0 for the node's ~time_limit, " << node << " s";
@@ -155,7 +155,7 @@ std::string captionOf(const Hypotheses& hypotheses)
   criterion.force_max = hypotheses.force_max;
   criterion.kappa_max = hypotheses.kappa_max;
   criterion.joint_limits = hypotheses.joint_limits;
-  std::ostringstream text;
+  TextStream text;
   text << hypotheses.machine << ", geometry " << hypotheses.geometry_hash.substr(0, ENOUGH) << ", pkm_workspace "
        << hypotheses.version << '\n'
        << describe(criterion);

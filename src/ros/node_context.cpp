@@ -3,10 +3,10 @@
 
 #include <ros/console.h>
 
-#include <sstream>
 #include <stdexcept>
 
 #include "pkm_workspace/dexterity/defaults.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_space.h"
 
 namespace pkm_workspace
@@ -29,7 +29,7 @@ void logMachine(const UrdfMachine& urdf, const std::string& frame)
 {
   for (const auto& warning : urdf.warnings)
     ROS_WARN_STREAM_NAMED("urdf", warning);
-  std::ostringstream legs;
+  TextStream legs;
   for (const Leg& leg : urdf.machine.legs())
     legs << "; " << leg.joint << " in [" << leg.limits.lower() << ", " << leg.limits.upper() << "] m, strut "
          << leg.length.mid() << " m";

@@ -3,10 +3,10 @@
 
 #include <functional>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/paving/paving.h"
 
 namespace pkm_workspace
@@ -194,7 +194,7 @@ void readTable(const Table& table, const XmlRpcValue& values, Problems& problems
   for (const auto& value : values)
   {
     const auto row = table.find(value.first);
-    std::ostringstream text;
+    TextStream text;
     text << value.first << " = ";
     value.second.write(text);
     if (row != table.end() && !row->second.set(value.second))
@@ -236,8 +236,7 @@ void Parameters::validate(Problems& problems) const
 {
   query.validate(problems);
   const auto complain = [&problems](const char* name, double value, const char* allowed) {
-    std::ostringstream text;
-    text.precision(17);
+    TextStream text;
     text << name << " = " << value << " " << allowed;
     problems.push_back(text.str());
   };

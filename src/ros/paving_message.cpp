@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/paving_message.h"
 
-#include <sstream>
-
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -101,7 +100,7 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
 
 std::string describe(const PavingQuery& query)
 {
-  std::ostringstream text;
+  TextStream text;
   text << "paving of the set with " << describe(query.criterion) << ", resolution " << query.resolution << " m, within "
        << query.budget.time_limit << " s";
   return text.str();
@@ -109,11 +108,10 @@ std::string describe(const PavingQuery& query)
 
 std::string summary(const Paving& paving)
 {
-  std::ostringstream text;
+  TextStream text;
   text << "set of measure " << bracket(paving.volumeLower(), paving.volumeUpper()) << " m^"
        << int(dimensionOf(paving.box)) << "; ";
-  text.precision(3);
-  text << paving.boxes_here << " boxes, " << paving.seconds << " s";
+  text << paving.boxes_here << " boxes, " << nearly(paving.seconds, 3) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_parts.h"
@@ -34,8 +35,8 @@ std::array<Interval, 3> readRanges(const Request& request, Problems& problems)
     if (bounds.lower >= -FARTHEST && bounds.lower <= bounds.upper && bounds.upper <= FARTHEST)
       ranges[i] = { bounds.lower, bounds.upper };
     else
-      problems.push_back("ranges[" + std::to_string(i) + "] = [" + std::to_string(bounds.lower) + ", " +
-                         std::to_string(bounds.upper) + "] m must be finite, within 1e9 m, the lower end first");
+      problems.push_back("ranges[" + std::to_string(i) + "] = [" + exact(bounds.lower) + ", " + exact(bounds.upper) +
+                         "] m must be finite, within 1e9 m, the lower end first");
   }
   return ranges;
 }

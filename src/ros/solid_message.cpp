@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/path.h"
 
 namespace pkm_workspace
@@ -22,8 +22,7 @@ void requireDimensions(const SolidPrimitive& message, const char* meaning, std::
   const auto& dimensions = message.dimensions;
   bool is_good = dimensions.size() == count;
   bool is_point = true;
-  std::ostringstream text;
-  text.precision(17);
+  TextStream text;
   for (const double length : dimensions)
   {
     is_good = is_good && (length == 0.0 || (length >= LEAST_LENGTH && length <= FARTHEST));
@@ -76,7 +75,7 @@ void requireFinite(const char* name, const Eigen::Vector3d& point, Problems& pro
 {
   if (point.allFinite() && point.cwiseAbs().maxCoeff() <= FARTHEST)
     return;
-  std::ostringstream text;
+  TextStream text;
   text << name << " = (" << point.x() << ", " << point.y() << ", " << point.z() << ") m must be finite, within 1e9 m";
   problems.push_back(text.str());
 }

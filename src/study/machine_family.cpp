@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/machine/catalogue.h"
 
 namespace pkm_workspace
@@ -93,7 +94,7 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
             const Eigen::Vector3d zero = first.zero() + t.mid() * (last.zero() - first.zero());
             Machine machine(first.name() + " to " + last.name(), legs, zero);
             if (machine.aspect() != first.aspect())
-              throw std::invalid_argument("the machine at share " + std::to_string(t.mid()) +
+              throw std::invalid_argument("the machine at share " + exact(t.mid()) +
                                           " has the opposite aspect (sign of det A) of those at both ends");
             return machine;
           } };

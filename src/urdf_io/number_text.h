@@ -8,10 +8,10 @@ namespace pkm_workspace
 {
 namespace urdf_io
 {
-/// Writes a number with the fewest digits, 15 to 17, that read back as the same double; in any locale.
+/// As exact().
 std::string numberText(double value);
 
-/// Writes a number with at most @p digits digits; in any locale.
+/// As nearly().
 std::string roundedText(double value, int digits);
 
 /// Writes three numbers as URDF has them.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
@@ -14,8 +14,6 @@ namespace urdf_io
 class Problems
 {
 public:
-  Problems() { text_.imbue(std::locale::classic()); }
-
   /// Begins a line and returns the stream to write it to.
   std::ostream& add() { return text_ << "\n  "; }
   bool any() const { return !text_.str().empty(); }
@@ -26,7 +24,7 @@ public:
   }
 
 private:
-  std::ostringstream text_;
+  TextStream text_;
 };
 }  // namespace urdf_io
 }  // namespace pkm_workspace

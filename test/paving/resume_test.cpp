@@ -111,7 +111,7 @@ TEST(PavingResume, refusesWhatIsAboutSomethingElse)
   refuses(orthoglide(), query(0.2, Criterion::Set::DEXTROUS, Criterion::Aspect::OTHER), "own aspect.*other aspect");
   PavingQuery wanted = query(0.2);
   wanted.criterion.psi_min = std::nextafter(0.5, 1.0);
-  refuses(orthoglide(), wanted, "psi in \\[0.5, 2\\].*psi in \\[0.50000000000000011, 2\\]");
+  refuses(orthoglide(), wanted, "psi in \\[0.5, 2\\].*psi in \\[0.5000000000000001, 2\\]");
   wanted = query(0.2);
   wanted.box->upper.x() = 1.5;
   refuses(orthoglide(), wanted, "box: .*from .* to .*\\(1 1 1\\) m.*1.5");

@@ -180,7 +180,8 @@ TEST(UrdfRefusal, numbersOutOfRange)
 {
   expectRefused(
       withJoint(good(), "rail_x", "xyz=\"-1 0 0\"", "xyz=\"-1e10 0 0\""),
-      "joint 'rail_x': <origin xyz> = -10000000000 0 0 m is out of range, expected numbers from -1e\\+09 to 1e\\+09");
+      "joint 'rail_x': <origin xyz> = -10000000000 0 0 m is out of range, expected numbers from -1000000000 to "
+      "1000000000");
   expectRefused(withJoint(good(), "rail_x", "xyz=\"-1 0 0\"", "xyz=\"-1 0 0\" rpy=\"0 0 2e9\""),
                 "joint 'rail_x': <origin rpy> = 0 0 2000000000 rad is out of range");
 }
