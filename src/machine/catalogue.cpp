@@ -2,27 +2,26 @@
 #include "pkm_workspace/machine/catalogue.h"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/text_stream.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-void requirePositiveLength(double length)
+/// What follows from the length is an ordinary number then.
+void requireLength(double length)
 {
-  if (length > 0.0 && length < std::numeric_limits<double>::infinity())
-    return;
-  std::ostringstream text;
-  text.precision(17);
-  text << "strut length L = " << length << " m must be positive and finite";
-  throw std::invalid_argument(text.str());
+  if (!(length >= 1e-9 && length <= 1e9))
+    throw std::invalid_argument("strut length L = " + exact(length) + " m must be from 1e-9 m to 1e9 m");
 }
 }  // namespace
 
 Machine orthoglide(double length)
 {
-  requirePositiveLength(length);
+  requireLength(length);
   Machine::Legs legs;
   const char* const joints[] = { "rail_x", "rail_y", "rail_z" };
   for (std::size_t i = 0; i < 3; ++i)
@@ -53,11 +52,11 @@ Machine orthoglidePrototype()
 
 Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, double length)
 {
-  requirePositiveLength(length);
+  requireLength(length);
   const Interval offset = rail_radius - platform_radius;
   if (!offset.certainlyPositive() || !(offset.upper() < length))
   {
-    std::ostringstream text;
+    TextStream text;
     text << "R - r = " << offset << " m must lie between 0 and the strut length L = " << length << " m";
     throw std::invalid_argument(text.str());
   }

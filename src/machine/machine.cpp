@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/text_stream.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -74,23 +76,34 @@ IntervalMatrix projectorAcross(const IntervalVector& axis)
   return projector;
 }
 
+/// Lengths of struts [m], and coordinates of rails and platform points: products of a dozen of them stay ordinary
+/// numbers.
+constexpr double SHORTEST = 1e-9;
+constexpr double LARGEST = 1e9;
+
+bool isOrdinary(const IntervalVector& point)
+{
+  return std::all_of(point.begin(), point.end(), [](const Interval& x) { return x.magnitude() <= LARGEST; });
+}
+
 /// Collects what is wrong with one leg by itself.
 void validateLeg(const Leg& leg, const std::string& place, std::ostream& problems)
 {
-  problems.precision(17);
   if (!isBounded(leg.origin) || !isBounded(leg.platform) || !isBounded(leg.axis))
     problems << place << ": rail origin, axis and platform point must be finite numbers\n";
+  else if (!isOrdinary(leg.origin) || !isOrdinary(leg.platform))
+    problems << place << ": rail origin and platform point must be within 1e9 m\n";
   else if (!squaredNorm(leg.axis).contains(1.0))
     problems << place << ": the axis must have unit length, its squared length is " << squaredNorm(leg.axis) << "\n";
-  if (!leg.length.isBounded() || !leg.length.certainlyPositive())
-    problems << place << ": strut length " << leg.length << " m must be positive and finite\n";
+  if (!leg.length.isBounded() || leg.length.lower() < SHORTEST || leg.length.upper() > LARGEST)
+    problems << place << ": strut length " << leg.length << " m must be from 1e-9 m to 1e9 m\n";
   if (leg.working_mode != 1 && leg.working_mode != -1)
     problems << place << ": working mode " << leg.working_mode << " must be +1 or -1\n";
   if (leg.limits.isEmpty())
     problems << place << ": the joint limits leave no value\n";
 }
 
-void throwIfAny(const std::string& machine, const std::ostringstream& problems)
+void throwIfAny(const std::string& machine, const TextStream& problems)
 {
   if (!problems.str().empty())
     throw std::invalid_argument("machine '" + machine + "' is refused:\n" + problems.str());
@@ -99,8 +112,7 @@ void throwIfAny(const std::string& machine, const std::ostringstream& problems)
 /// The certain sign of det A at the zero configuration. @throws std::invalid_argument where there is none
 int aspectAt(const Machine& machine)
 {
-  std::ostringstream problems;
-  problems.precision(17);
+  TextStream problems;
   const auto& zero = machine.zero();
   const auto configuration = configurationAt(machine, zero);
   if (!configuration)
@@ -121,12 +133,12 @@ int aspectAt(const Machine& machine)
 Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   : name_(std::move(name)), legs_(std::move(legs)), zero_(zero)
 {
-  std::ostringstream problems;
+  TextStream problems;
   for (const auto& leg : legs_)
     validateLeg(leg, "leg '" + leg.joint + "'", problems);
   uniteAxes(legs_, problems);
-  if (!zero.allFinite())
-    problems << "zero configuration: the tool point must be finite numbers\n";
+  if (!zero.allFinite() || zero.cwiseAbs().maxCoeff() > LARGEST)
+    problems << "zero configuration: the tool point must be finite, within 1e9 m\n";
   throwIfAny(name_, problems);
   for (std::size_t i = 0; i < 3; ++i)
   {

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -21,25 +22,30 @@ using Eigen::Vector3d;
 
 constexpr double INF = std::numeric_limits<double>::infinity();
 
-/// The vector with its largest component moved by @p steps doubles.
-Vector3d nudged(Vector3d v, int steps)
+/// The vector with one component moved by @p steps doubles.
+Vector3d nudged(Vector3d v, Eigen::Index component, int steps)
 {
-  Eigen::Index largest = 0;
-  v.cwiseAbs().maxCoeff(&largest);
   for (int i = 0; i < std::abs(steps); ++i)
-    v[largest] = std::nextafter(v[largest], steps > 0 ? INF : -INF);
+    v[component] = std::nextafter(v[component], steps > 0 ? INF : -INF);
   return v;
 }
 
-/// The vector nearest to @p v, of those that differ in the largest component only, that @p fits.
+/// The vector nearest to @p v, of those that differ in one component only, that @p fits: in the largest one, or in
+/// another where that one changes nothing, as the length of an axis does.
+/// @throws std::invalid_argument where none does
 template <class Fits>
-Vector3d nearestThat(const Vector3d& v, const Fits& fits)
+Vector3d nearestThat(const Vector3d& v, const Machine& machine, const Fits& fits)
 {
-  for (int step = 0; step <= 64; ++step)
-    for (const int steps : { step, -step })
-      if (fits(nudged(v, steps)))
-        return nudged(v, steps);
-  throw std::logic_error("no doubles read back as this machine's axes and struts");
+  std::array<Eigen::Index, 3> components = { 0, 1, 2 };
+  std::sort(components.begin(), components.end(),
+            [&v](Eigen::Index a, Eigen::Index b) { return std::abs(v[a]) > std::abs(v[b]); });
+  for (const Eigen::Index component : components)
+    for (int step = 0; step <= 64; ++step)
+      for (const int steps : { step, -step })
+        if (fits(nudged(v, component, steps)))
+          return nudged(v, component, steps);
+  throw std::invalid_argument("machine '" + machine.name() +
+                              "' cannot be written as a URDF: no doubles near its axes and struts read back as them");
 }
 
 /// Numbers for <axis>: rails that share one direction get the same ones, others get others.
@@ -56,7 +62,7 @@ Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers,
     }
     return distinct && intersects(unitVector(candidate), axis);
   };
-  return nearestThat(mid(axis), fits);
+  return nearestThat(mid(axis), machine, fits);
 }
 
 /// Bounds of the joint over all that the machine reaches: with M = sum P_i, P_i = I - e_i e_i^T, its points lie in the
@@ -155,7 +161,7 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
     numbers.origin = mid(leg.origin);
     numbers.platform = mid(leg.platform);
     numbers.axis = axisNumbers(machine, i, all);
-    numbers.strut = nearestThat(mid(zero.strut[static_cast<std::size_t>(i)]),
+    numbers.strut = nearestThat(mid(zero.strut[static_cast<std::size_t>(i)]), machine,
                                 [&leg](const Vector3d& v) { return lengthOf(enclose(v)).intersects(leg.length); });
     setLimits(machine, i, numbers);
     setHinges(numbers);

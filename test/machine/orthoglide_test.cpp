@@ -184,7 +184,13 @@ TEST(OrthoglideSingularities, strutsInParallelPlanesAreParallelToo)
 TEST(Orthoglide, refusesLengthsThatAreNone)
 {
   using Error = std::invalid_argument;
-  expectThrow<Error>([] { orthoglide(0.0); }, "strut length L = 0 m must be positive and finite");
+  for (const double length : { 0.0, 1e-300, 9e-10, 1.1e9, 1e200, 1e308 })
+  {
+    expectThrow<Error>([length] { orthoglide(length); }, "strut length L = .* m must be from 1e-9 m to 1e9 m");
+    const Interval radius(0.5 * length);
+    expectThrow<Error>([&] { uranesx(radius, Interval(0.0), length); }, "strut length L = .* from 1e-9 m to 1e9 m");
+  }
+  expectThrow<Error>([] { uranesx(Interval(1e10), Interval(1e10 - 0.5)); }, "platform point must be within 1e9 m");
   expectThrow<Error>([] { orthoglide(-1.0); }, "L = -1 m");
   expectThrow<Error>([] { orthoglide(std::numeric_limits<double>::infinity()); }, "L = inf m");
   expectThrow<Error>([] { orthoglide(std::numeric_limits<double>::quiet_NaN()); }, "L = -?nan m");
