@@ -7,7 +7,7 @@
 
 #include "byte_order.h"
 #include "pkm_workspace/version.h"
-#include "whole_file.h"
+#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {
@@ -174,7 +174,7 @@ void savePavings(const std::string& path, const std::vector<Paving>& pavings)
 std::vector<Paving> loadPavings(const std::string& path, const Machine& machine,
                                 const std::vector<PavingQuery>& queries)
 {
-  const std::string bytes = readWholeFile(path);
+  const std::string bytes = readWholeFile(path, std::string().max_size());
   try
   {
     std::vector<Paving> pavings = takeAll(bytes);

@@ -2,13 +2,11 @@
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "closure.h"
 #include "number_text.h"
+#include "pkm_workspace/whole_file.h"
 #include "reader_warnings.h"
 
 namespace pkm_workspace
@@ -166,12 +164,7 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
 
 UrdfMachine readUrdfFile(const std::string& path, const UrdfOptions& options)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string xml(LARGEST_TEXT + 1, '\0');
-  file.read(&xml[0], static_cast<std::streamsize>(xml.size()));
-  if (!file.is_open() || file.bad())
-    throw std::invalid_argument(path + ": cannot be read: " + std::strerror(errno));
-  xml.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string xml = readWholeFile(path, LARGEST_TEXT);
   try
   {
     return readUrdf(xml, options);

@@ -216,7 +216,7 @@ TEST(MachineRefusal, filesThatCannotBeRead)
 {
   expectThrow<std::invalid_argument>([] { readUrdfFile("no/such.urdf"); },
                                      "^no/such.urdf: cannot be read: No such file");
-  expectThrow<std::invalid_argument>([] { readUrdfFile(PKM_WORKSPACE_SOURCE_DIR); }, "cannot be read: Is a directory");
+  expectThrow<std::invalid_argument>([] { readUrdfFile(PKM_WORKSPACE_SOURCE_DIR); }, "cannot be read: it is a folder");
   expectThrow<std::invalid_argument>([] { readUrdfFile(PKM_WORKSPACE_SOURCE_DIR "/package.xml"); },
                                      "package.xml: the URDF is refused:\n  the outermost element is <package>");
 }
