@@ -5,6 +5,7 @@
 import os
 import re
 import shlex
+import subprocess
 import unittest
 from xml.etree import ElementTree
 
@@ -77,6 +78,16 @@ class Help(CommandTest):
                 with self.subTest(example):
                     self.text(*[word.replace(".urdf", "_new.urdf") if command == "urdf" else word
                                 for word in shlex.split(example)])
+
+    def test_scripts_tell_their_use_without_what_they_need(self):
+        for name in ("matplotlib", "numpy", "rospy"):
+            self.file(f"{name}.py", "raise ImportError('it is not installed')\n")
+        environment = {**os.environ, "PYTHONPATH": str(self.folder)}
+        for script in ("bench", "demo", "figures", "pictures", "setup", "stress"):
+            process = subprocess.run([str(URDF.parent / "scripts" / script), "--help"], env=environment,
+                                     capture_output=True, text=True)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertIn("usage: ", process.stdout, script)
 
     def test_version_is_the_package_s(self):
         version = ElementTree.parse(URDF.parent / "package.xml").getroot().findtext("version")
