@@ -2,9 +2,10 @@
 #include "application.h"
 
 #include <algorithm>
+#include <new>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "command.h"
 #include "output.h"
@@ -43,6 +44,8 @@ const NamedCommand COMMANDS[] = {
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
 };
 
+constexpr const char* LOST_OUTPUT = "standard output cannot be written";
+
 constexpr const char* INTRODUCTION =
     "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, "
     "UraneSX, linear deltas): where, and how large, is the region in which the machine is certain to behave like a "
@@ -52,7 +55,8 @@ constexpr const char* INTRODUCTION =
 constexpr const char* CONVENTIONS =
     "Lengths are in metres, times in seconds, points in the frame of the URDF's root link. The answer goes to standard "
     "output, with --json as one JSON object; warnings and progress go to standard error. Exit code: 0 answered (also "
-    "when the answer is \"none\"), 2 bad input, 1 failure of the program itself. pkm --version prints the version.";
+    "when the answer is \"none\"), 2 bad input, 1 the memory, a disk, standard output or the program itself failed. "
+    "pkm --version prints the version.";
 
 std::string listed(const Words& examples)
 {
@@ -91,6 +95,55 @@ void printHelp(const NamedCommand& entry, const Command& command, const Options&
   options.describe(out);
 }
 
+void print(const Answer& answer, bool json, std::ostream& out)
+{
+  if (json)
+  {
+    std::string object = answer.json.dump(2);
+    if (!answer.long_members.empty())
+      object.resize(object.size() - 2);  // "\n}"
+    out << object;
+    for (const auto& member : answer.long_members)
+    {
+      out << ",\n  " << nlohmann::json(member.first).dump() << ": ";
+      member.second(out);
+    }
+    out << (answer.long_members.empty() ? "\n" : "\n}\n");
+  }
+  else
+  {
+    out << answer.text;
+    if (answer.long_text)
+      answer.long_text(out);
+  }
+  out << std::flush;
+}
+
+/// What was computed is kept even if nobody reads the answer.
+void printAndSave(Command& command, bool json, std::ostream& out)
+{
+  const Answer answer = withRemedy(command.remedy(), [&command] { return command.answer(); });
+  std::string lost;
+  try
+  {
+    print(answer, json, out);
+  }
+  catch (const std::ios_base::failure&)
+  {
+    lost = LOST_OUTPUT;
+  }
+  try
+  {
+    command.save();
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    throw Failure((lost.empty() ? "the answer is complete, but it was not saved: " : lost + "\n") + reason.what());
+  }
+  if (!lost.empty())
+    throw Failure(lost);
+}
+
 void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out, std::ostream& err)
 {
   const auto command = entry.make();
@@ -105,8 +158,7 @@ void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out
   options.parse(words);
   for (const std::string& warning : command->warnings())
     err << "pkm: warning: " << warning << std::endl;
-  const Answer answer = withRemedy(command->remedy(), [&command] { return command->answer(); });
-  out << (json ? answer.json.dump(2) + "\n" : answer.text);
+  printAndSave(*command, json, out);
 }
 
 void dispatch(const Words& arguments, std::ostream& out, std::ostream& err)
@@ -120,10 +172,18 @@ void dispatch(const Words& arguments, std::ostream& out, std::ostream& err)
     throw std::invalid_argument("a command is missing");
   else
     runCommand(findCommand(first), { arguments.begin() + 1, arguments.end() }, out, err);
-  if (!out.flush())
-    throw std::runtime_error("standard output cannot be written");
+  out << std::flush;
+}
+
+void tell(const std::string& reason, std::ostream& err)
+{
+  for (const std::string& line : linesOf(reason))
+    err << "pkm: " << line << "\n";
 }
 }  // namespace
+
+const char* const OUT_OF_MEMORY =
+    "pkm: the memory is used up: ask for less (fewer points, a coarser --resolution, --max-memory), or free some\n";
 
 int run(const Words& arguments, std::ostream& out, std::ostream& err)
 {
@@ -131,23 +191,38 @@ int run(const Words& arguments, std::ostream& out, std::ostream& err)
   {
     const std::string distrust = rounding::selfTest();
     if (!distrust.empty())
-      throw std::runtime_error("the arithmetic of this computer cannot be trusted: " + distrust);
+      throw Failure("the arithmetic of this computer cannot be trusted: " + distrust);
+    out.exceptions(std::ios::badbit | std::ios::failbit);
     dispatch(arguments, out, err);
     return ANSWERED;
   }
   catch (const std::invalid_argument& reason)
   {
-    std::istringstream lines(reason.what());
-    for (std::string line; std::getline(lines, line);)
-      err << "pkm: " << line << "\n";
+    tell(reason.what(), err);
     err << "pkm: see pkm --help or pkm COMMAND --help\n";
     return BAD_INPUT;
   }
+  catch (const Failure& failure)
+  {
+    tell(failure.what(), err);
+  }
+  catch (const std::ios_base::failure&)
+  {
+    tell(LOST_OUTPUT, err);
+  }
+  catch (const std::bad_alloc&)
+  {
+    err << OUT_OF_MEMORY;
+  }
+  catch (const std::system_error& failure)
+  {
+    tell(std::string("the system refuses what is needed: ") + failure.what(), err);
+  }
   catch (const std::exception& failure)
   {
-    err << "pkm: internal failure: " << failure.what() << "\n";
-    return FAILED;
+    tell(std::string("this is a defect of pkm, please report it with the command line: ") + failure.what(), err);
   }
+  return FAILED;
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <iosfwd>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "options.h"
@@ -12,11 +16,23 @@ namespace pkm_workspace
 {
 namespace cli
 {
+/// Something outside the program failed: the memory, the disk, who reads the answer.
+class Failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes what is too long to be held while it is made.
+using Writer = std::function<void(std::ostream&)>;
+
 /// What a command prints on standard output: the object with --json, the text without.
 struct Answer
 {
   nlohmann::json json;
   std::string text;
+  std::map<std::string, Writer> long_members = {};  ///< more members of the object, by name
+  Writer long_text = {};                            ///< what follows the text
 };
 
 /// One command of pkm, for one call: its options are its members.
@@ -33,8 +49,11 @@ public:
   virtual Words warnings() const { return {}; }
   /// What its options can do about a question without a bounded answer.
   virtual Remedy remedy() const { return { "--joint-limits on", "" }; }
-  /// @pre the options have been parsed @throws std::invalid_argument when the question has no answer
+  /// What is long refers to the command. @pre the options have been parsed
+  /// @throws std::invalid_argument when the question has no answer
   virtual Answer answer() = 0;
+  /// Keeps in files what was computed. @pre the answer was printed @throws std::invalid_argument with the reason
+  virtual void save() const {}
 };
 
 std::unique_ptr<Command> makeEvaluate();

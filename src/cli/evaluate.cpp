@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/LU>
+#include <algorithm>
+#include <ostream>
 
 #include "command.h"
 #include "common_options.h"
@@ -71,10 +73,17 @@ std::string text(const Json& value, const std::string& unit)
   return joined(words, "  ");
 }
 
+std::string padded(const std::string& text, std::size_t width)
+{
+  return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
 std::string bindingText(const Json& binding)
 {
   const Json& joint = binding["joint"];
-  return binding["limit"].get<std::string>() + (joint.is_null() ? "" : " of '" + joint.get<std::string>() + "'");
+  const Json& margin = binding["margin"];
+  return binding["limit"].get<std::string>() + (joint.is_null() ? "" : " of '" + joint.get<std::string>() + "'") +
+         (margin.is_null() ? "" : "   (margin " + nearly(margin) + ")");
 }
 
 std::string verdictText(const Json& value)
@@ -116,22 +125,26 @@ public:
     json["joints"] = Json::array();
     for (const Leg& leg : machine_.machine().legs())
       json["joints"].push_back(leg.joint);
+    const auto evaluator = std::make_shared<const PointEvaluator>(machine_.machine(), criterion_);
     if (point_)
     {
-      json.update(stateAt(*point_));
+      json.update(stateAt(*evaluator, *point_));
       return { json, print(json) };
     }
-    json["points"] = Json::array();
-    for (const Eigen::Vector3d& point : points_)
-      json["points"].push_back(stateAt(point));
-    return { json, table(json["points"]) };
+    Answer answer{ json, "" };
+    answer.long_members["points"] = [this, evaluator](std::ostream& out) {
+      writeList(
+          points_.size(), [&](std::size_t k) { return stateAt(*evaluator, points_[k]); }, 2, out);
+    };
+    answer.long_text = [this, evaluator](std::ostream& out) { writeTable(*evaluator, out); };
+    return answer;
   }
 
 private:
-  Json stateAt(const Eigen::Vector3d& point) const
+  Json stateAt(const PointEvaluator& evaluator, const Eigen::Vector3d& point) const
   {
     const Machine& machine = machine_.machine();
-    const PointEvaluation there = evaluatePoint(machine, criterion_, point);
+    const PointEvaluation there = evaluator(point);
     Json json = numbersOf(machine, point);
     json["point"] = toJson(point);
     json["within_reach"] = toJson(there.within_reach);
@@ -157,20 +170,38 @@ private:
     json["message"] = json["message"].get<std::string>() + (remark.empty() ? "" : " ") + remark;
   }
 
-  std::string table(const Json& points) const
+  /// A row for each point; only the columns' widths are known before.
+  void writeTable(const PointEvaluator& evaluator, std::ostream& out) const
   {
-    std::vector<Words> rows = { { "point [m]", "", "", "psi", "", "", name(criterion_.set) } };
-    for (const Json& state : points)
+    constexpr std::size_t PSI_WIDTH = 11, VERDICT_WIDTH = 9;
+    std::size_t point_width = std::string("point [m]").size();
+    for (const Eigen::Vector3d& point : points_)
+      for (const double x : { point.x(), point.y(), point.z() })
+        point_width = std::max(point_width, exact(x).size());
+    const auto write = [&](const Words& row) {
+      out << "  " << row[0] << std::string(point_width - row[0].size(), ' ');
+      for (std::size_t k = 1; k < row.size(); ++k)
+        out << "   " << padded(row[k], k < 3 ? point_width : k < 6 ? PSI_WIDTH : VERDICT_WIDTH);
+      out << '\n';
+    };
+    write({ "point [m]", "", "", "psi", "", "", name(criterion_.set) });
+    for (const Eigen::Vector3d& point : points_)
+      write(rowAt(evaluator, point));
+    out << '\n' << wrapped(definition(machine_.machine(), criterion_));
+  }
+
+  Words rowAt(const PointEvaluator& evaluator, const Eigen::Vector3d& point) const
+  {
+    Words row = { exact(point.x()), exact(point.y()), exact(point.z()), "-", "-", "-" };
+    if (const auto jacobian = jacobians(machine_.machine(), point))
     {
-      Words row;
-      for (const Json& value : state["point"])
-        row.push_back(exact(value));
-      for (std::size_t k = 0; k < 3; ++k)
-        row.push_back(state["psi"].is_null() ? "-" : nearly(state["psi"][k], 6));
-      row.push_back(state["satisfies"].is_null() ? "undecided" : state["satisfies"] ? "yes" : "no");
-      rows.push_back(row);
+      const Eigen::Vector3d psi = transmissionFactors(*jacobian);
+      for (int k = 0; k < 3; ++k)
+        row[static_cast<std::size_t>(3 + k)] = nearly(psi[k], 6);
     }
-    return aligned(rows, Align::RIGHT) + "\n" + wrapped(definition(machine_.machine(), criterion_));
+    const BoxVerdict verdict = evaluator(point).verdict;
+    row.push_back(verdict == BoxVerdict::UNDECIDED ? "undecided" : verdict == BoxVerdict::INSIDE ? "yes" : "no");
+    return row;
   }
 
   std::string print(const Json& json) const
@@ -188,8 +219,7 @@ private:
     add("serial", "serial_singularity", "   (least |eta| / L; 0 at a serial singularity)");
     add("parallel", "parallel_singularity", "   (|det A| / (L1 L2 L3); 0 at a parallel singularity)");
     add("det A", "det_a", " m^3");
-    rows.push_back(
-        { "binding", bindingText(json["binding"]) + "   (margin " + nearly(json["binding"]["margin"]) + ")" });
+    rows.push_back({ "binding", bindingText(json["binding"]) });
     return "Machine '" + machine_.machine().name() + "' at the tool point " + describe(*point_) + "\n\n" +
            aligned(rows, Align::LEFT) + "\n" + wrapped(json["message"]) +
            wrapped(definition(machine_.machine(), criterion_));

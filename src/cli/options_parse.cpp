@@ -15,7 +15,6 @@ namespace cli
 namespace
 {
 namespace po = boost::program_options;
-namespace style = boost::program_options::command_line_style;
 
 constexpr unsigned LINE_LENGTH = 100;
 
@@ -58,25 +57,23 @@ void Options::Option::set(const Words& new_words, Problems& problems)
 
 void Options::readWords(const Words& words, Problems& problems)
 {
-  // Boost takes the words apart, with any number of values for each option; how many there may be is told by set().
-  po::options_description known;
-  for (const Option& option : options_)
-    known.add_options()(option.name.c_str(), po::value<Words>()->multitoken()->zero_tokens());
-  const auto parsed = po::command_line_parser(words)
-                          .options(known)
-                          .style(style::allow_long | style::long_allow_next | style::long_allow_adjacent)
-                          .allow_unregistered()
-                          .run();
-  bool after_unknown = false;
-  for (const auto& item : parsed.options)
+  for (std::size_t k = 0; k < words.size();)
   {
-    if (Option* const option = find(item.string_key))
-      option->set(item.value, problems);
-    else if (item.unregistered)
-      problems.push_back("--" + item.string_key + ": there is no such option");
-    else if (!after_unknown)
-      problems.push_back("'" + item.original_tokens[0] + "': an option was expected here, which begins with --");
-    after_unknown = item.unregistered || (after_unknown && item.string_key.empty());
+    const std::string first = words[k++];
+    const bool is_option = first.size() > 2 && first.compare(0, 2, "--") == 0;
+    const std::size_t end = std::min(first.size(), first.find('='));
+    Words values;
+    if (is_option && end < first.size())
+      values.push_back(first.substr(end + 1));
+    while (k < words.size() && words[k].compare(0, 2, "--") != 0)
+      values.push_back(words[k++]);
+    if (!is_option)
+      problems.push_back(quoted(first == "--" && !values.empty() ? values[0] : first) +
+                         ": an option was expected here, which begins with --");
+    else if (Option* const option = find(first.substr(2, end - 2)))
+      option->set(values, problems);
+    else
+      problems.push_back(first.substr(0, end) + ": there is no such option");
   }
 }
 

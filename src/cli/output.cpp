@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
 
@@ -163,6 +164,15 @@ std::string seconds(double value)
 std::string describe(const Eigen::Vector3d& v)
 {
   return "(" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) + ") m";
+}
+
+void writeList(std::size_t count, const std::function<Json(std::size_t)>& entry, int indent, std::ostream& out)
+{
+  const std::string begin = "\n" + std::string(static_cast<std::size_t>(indent), ' ');
+  out << '[';
+  for (std::size_t k = 0; k < count; ++k)
+    out << (k == 0 ? "" : ",") << begin << "  " << entry(k).dump();
+  out << (count == 0 ? "" : begin) << ']';
 }
 
 std::string wrapped(const std::string& text)

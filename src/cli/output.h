@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
+#include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -54,6 +56,9 @@ Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond);
 std::string seconds(double value);
 /// "(x, y, z) m" with every digit.
 std::string describe(const Eigen::Vector3d& v);
+
+/// A list as text, made entry by entry so that it need not be held; @p indent is that of the line it begins in.
+void writeList(std::size_t count, const std::function<Json(std::size_t)>& entry, int indent, std::ostream& out);
 
 /// The words of a text in lines of at most 100 columns; nothing of none.
 std::string wrapped(const std::string& text);

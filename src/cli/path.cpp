@@ -54,7 +54,7 @@ public:
     options.repeated("segment", "LINE", "one line of the path; may be given many times, in place of a file",
                      [this](const Words& words) {
                        Problems problems;
-                       path_.read(words[0], "line '" + words[0] + "'", problems);
+                       path_.read(words[0], problems);
                        throwProblems(problems);
                      });
     options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
@@ -73,7 +73,8 @@ public:
     const Machine& machine = machine_.machine();
     query_.stop = stopOnSignalOrAfter(time_limit_);
     const Progress progress(progress_);
-    const PathResult result = checkPath(machine, criterion_, path_.segments(), query_);
+    result_ = checkPath(machine, criterion_, path_.segments(), query_);
+    const PathResult& result = result_;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = cli::name(result.verdict);
     json["tool_speed"] = query_.tool_speed;
@@ -81,13 +82,16 @@ public:
     json["end"] = name(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? toJson(*result.motion) : Json();
-    json["segments"] = Json::array();
-    for (std::size_t i = 0; i < result.segments.size(); ++i)
-      json["segments"].push_back(segmentOf(result.segments[i], path_.places()[i]));
     if (result.motion && !criterion_.joint_limits)
       json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOf(result)));
     json["message"] = message(result);
-    return { json, print(result) };
+    Answer answer{ json, print(result) };
+    answer.long_members["segments"] = [this](std::ostream& out) {
+      writeList(
+          result_.segments.size(), [this](std::size_t i) { return segmentOf(result_.segments[i], path_.place(i)); }, 2,
+          out);
+    };
+    return answer;
   }
 
 private:
@@ -113,7 +117,7 @@ private:
 
   Json firstOf(const PathResult& result) const
   {
-    Json json = segmentOf(result.segments[result.first->segment], path_.places()[result.first->segment]);
+    Json json = segmentOf(result.segments[result.first->segment], path_.place(result.first->segment));
     json.erase("motion");
     json["open"] = Json::array();
     for (const PathPart& part : result.first->open)
@@ -135,7 +139,7 @@ private:
   std::string message(const PathResult& result) const
   {
     std::string text =
-        describe(result, machine_.machine(), [this](std::size_t segment) { return path_.places()[segment]; });
+        describe(result, machine_.machine(), [this](std::size_t segment) { return path_.place(segment); });
     if (result.motion && !criterion_.joint_limits)
       text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reachOf(result)));
     if (result.verdict == Containment::UNDECIDED && isTimeOver())
@@ -169,6 +173,7 @@ private:
   std::string file_;
   double time_limit_;
   bool progress_ = false;
+  PathResult result_;
 };
 }  // namespace
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_text.h"
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/whole_file.h"
 #include "values.h"
 
 namespace pkm_workspace
@@ -24,27 +22,26 @@ constexpr Kind KINDS[] = {
   { "start", 3 }, { "line", 3 }, { "arc", 6 }, { "turn", 9 }, { "circle", 6 }, { "helix", 8 }
 };
 
-const Kind& findKind(const std::string& name)
+std::size_t findKind(const std::string& name)
 {
   Words names;
   for (const Kind& kind : KINDS)
   {
     if (name == kind.name)
-      return kind;
+      return names.size();
     names.push_back(kind.name);
   }
-  throw std::invalid_argument("'" + name + "' is none of " + joined(names, ", "));
+  throw std::invalid_argument(quoted(name) + " is none of " + joined(names, ", "));
 }
 
-Words wordsOf(std::string line)
+std::string placeOf(const std::string& given)
 {
-  line.resize(std::min(line.size(), line.find('#')));
-  std::replace(line.begin(), line.end(), ',', ' ');
-  std::istringstream stream(line);
-  Words words;
-  for (std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
+  return "line " + quoted(given);
+}
+
+std::string placeIn(const std::string& file, std::size_t line)
+{
+  return file + ":" + std::to_string(line);
 }
 }  // namespace
 
@@ -54,38 +51,59 @@ const char* const PATH_GRAMMAR =
     "from its tip, to X Y Z; circle CX CY CZ AX AY AZ: all of it; helix CX CY CZ AX AY AZ ANGLE LIFT: by ANGLE in "
     "radians, while climbing LIFT along A";
 
-void PathText::read(const std::string& line, const std::string& place, Problems& problems)
+void PathText::readLine(const std::string& line, std::uint32_t source, const std::string& place, Problems& problems)
 {
   const Words words = wordsOf(line);
   if (words.empty())
     return;
   try
   {
-    const Kind& kind = findKind(words[0]);
-    if (words.size() != kind.numbers + 1)
-      throw std::invalid_argument(words[0] + " needs " + std::to_string(kind.numbers) + " numbers, got " +
+    const std::size_t kind = findKind(words[0]);
+    if (words.size() != KINDS[kind].numbers + 1)
+      throw std::invalid_argument(words[0] + " needs " + std::to_string(KINDS[kind].numbers) + " numbers, got " +
                                   std::to_string(words.size() - 1));
     if (!has_start_ && words[0] != "start")
       throw std::invalid_argument("a path begins with start X Y Z");
     add(words[0], readNumbers({ words.begin() + 1, words.end() }, Quantity()));
-    places_.resize(segments_.size(), place + " (" + words[0] + ")");
+    sources_.resize(segments_.size(), { source, static_cast<std::uint8_t>(kind) });
   }
   catch (const std::invalid_argument& reason)
   {
-    std::istringstream reasons(reason.what());
-    for (std::string text; std::getline(reasons, text);)
+    for (const std::string& text : linesOf(reason.what()))
       problems.push_back(place + ": " + text);
   }
 }
 
+void PathText::read(const std::string& line, Problems& problems)
+{
+  given_.push_back(line);
+  readLine(line, static_cast<std::uint32_t>(given_.size() - 1), placeOf(line), problems);
+}
+
 void PathText::readFile(const std::string& path, Problems& problems)
 {
-  std::ifstream file(path);
-  if (!file)
-    problems.push_back("the file '" + path + "' cannot be read");
-  std::size_t number = 0;
-  for (std::string line; std::getline(file, line);)
-    read(line, path + ":" + std::to_string(++number), problems);
+  constexpr std::size_t MOST_PROBLEMS = 100;
+  file_ = path;
+  try
+  {
+    readLines(path, [&](const std::string& line, std::size_t number) {
+      const std::string place = placeIn(path, number);
+      if (problems.size() >= MOST_PROBLEMS)
+        throw std::invalid_argument(place + ": from here on, nothing was read");
+      readLine(line, static_cast<std::uint32_t>(number), place, problems);
+    });
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    problems.push_back(reason.what());
+  }
+}
+
+std::string PathText::place(std::size_t segment) const
+{
+  const Source& source = sources_[segment];
+  return (file_.empty() ? placeOf(given_[source.place]) : placeIn(file_, source.place)) + " (" +
+         KINDS[source.kind].name + ")";
 }
 
 void PathText::add(const std::string& kind, const std::vector<double>& numbers)

@@ -84,17 +84,22 @@ public:
     std::vector<Paving> earlier;
     if (!resume_.empty())
       earlier = loadPavings(resume_, machine_.machine(), queries);
-    std::vector<Paving> pavings;
-    std::vector<Interval> sizes;
     for (std::size_t k = 0; k < queries.size(); ++k)
     {
-      pavings.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
-      sizes.push_back(sizeOf(queries[k], pavings.back()));
+      paved_.pavings.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
+      paved_.sizes.push_back(sizeOf(queries[k], paved_.pavings.back()));
     }
+    paved_.asked = asked();
+    paved_.ended_by = endedBy(queries, paved_.pavings);
+    paved_.is_section = isSection();
+    paved_.most_listed = list_boxes_;
+    return answerOf(machine_.machine(), paved_);
+  }
+
+  void save() const override
+  {
     if (!save_.empty())
-      savePavings(save_, pavings);
-    return answerOf(machine_.machine(),
-                    { pavings, sizes, asked(), endedBy(queries, pavings), isSection(), list_boxes_ });
+      savePavings(save_, paved_.pavings);
   }
 
 private:
@@ -200,6 +205,7 @@ private:
   std::string save_;
   std::string resume_;
   std::int64_t list_boxes_ = 0;
+  Paved paved_;
 };
 }  // namespace
 

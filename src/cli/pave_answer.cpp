@@ -2,6 +2,7 @@
 #include "pave_answer.h"
 
 #include <algorithm>
+#include <ostream>
 
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
@@ -37,15 +38,13 @@ double secondsOf(const std::vector<Paving>& pavings)
   return sum;
 }
 
-void append(const std::vector<Box>& boxes, Json& list)
+Json listed(const Box& box)
 {
-  for (const Box& box : boxes)
-  {
-    list.push_back(Json::array());
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double end : { box.lower[axis], box.upper[axis] })
-        list.back().push_back(end);
-  }
+  Json ends = Json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double end : { box.lower[axis], box.upper[axis] })
+      ends.push_back(end);
+  return ends;
 }
 
 /// Boxes of the levels down to one, those that are divided there taken as undecided.
@@ -58,19 +57,35 @@ std::int64_t countTo(const BoxTree& tree, std::size_t last)
   return count;
 }
 
-Json listOf(const BoxTree& tree, std::int64_t most)
+/// The boxes of these states down to a level; those that are divided, of that level only.
+std::vector<Box> boxesOf(const BoxTree& tree, const std::vector<CellState>& states, std::size_t last)
+{
+  std::vector<Box> all;
+  for (const CellState state : states)
+  {
+    const auto boxes = tree.boxes(state);
+    for (std::size_t level = state == CellState::SPLIT ? last : 0; level <= last && level < boxes.size(); ++level)
+      all.insert(all.end(), boxes[level].begin(), boxes[level].end());
+  }
+  return all;
+}
+
+void writeBoxes(const BoxTree& tree, std::int64_t most, std::ostream& out)
 {
   std::size_t last = 0;
   while (last + 1 < tree.levels() && countTo(tree, last + 1) <= most)
     ++last;
-  Json list = { { "inside", Json::array() }, { "undecided", Json::array() } };
-  for (const CellState state : { CellState::INSIDE, CellState::BOUNDARY, CellState::PENDING, CellState::SPLIT })
-  {
-    const auto boxes = tree.boxes(state);
-    for (std::size_t level = state == CellState::SPLIT ? last : 0; level <= last && level < boxes.size(); ++level)
-      append(boxes[level], list[state == CellState::INSIDE ? "inside" : "undecided"]);
-  }
-  return list;
+  const auto write = [&](const char* name, const std::vector<CellState>& states) {
+    const std::vector<Box> boxes = boxesOf(tree, states, last);
+    out << "\n    \"" << name << "\": ";
+    writeList(
+        boxes.size(), [&boxes](std::size_t k) { return listed(boxes[k]); }, 4, out);
+  };
+  out << '{';
+  write("inside", { CellState::INSIDE });
+  out << ',';
+  write("undecided", { CellState::BOUNDARY, CellState::PENDING, CellState::SPLIT });
+  out << "\n  }";
 }
 
 Json toJson(const Machine& machine, const Paved& paved)
@@ -92,8 +107,6 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
   json["ended_by"] = paved.ended_by.empty() ? Json() : Json(paved.ended_by);
-  if (paved.most_listed > 0)
-    json["listed"] = listOf(whole.tree, paved.most_listed);
   return json;
 }
 
@@ -147,7 +160,12 @@ Measure::Measure(const Box& box)
 
 Answer answerOf(const Machine& machine, const Paved& paved)
 {
-  return { toJson(machine, paved), print(machine, paved) };
+  Answer answer{ toJson(machine, paved), print(machine, paved) };
+  if (paved.most_listed > 0)
+    answer.long_members["listed"] = [&paved](std::ostream& out) {
+      writeBoxes(paved.pavings[paved.asked].tree, paved.most_listed, out);
+    };
+  return answer;
 }
 }  // namespace cli
 }  // namespace pkm_workspace

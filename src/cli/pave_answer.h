@@ -33,7 +33,7 @@ struct Paved
   std::int64_t most_listed = 0;  ///< boxes that are listed in the JSON object
 };
 
-/// What pkm pave says.
+/// What pkm pave says; what is long refers to @p paved.
 Answer answerOf(const Machine& machine, const Paved& paved);
 }  // namespace cli
 }  // namespace pkm_workspace

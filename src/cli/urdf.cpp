@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -12,6 +9,7 @@
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "pkm_workspace/version.h"
+#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {
@@ -116,7 +114,14 @@ public:
       json["urdf"] = urdf;
       return { json, urdf };
     }
-    writeFile(urdf);
+    try
+    {
+      writeWholeFile(output_, urdf);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      throw std::invalid_argument(std::string("--output ") + reason.what());
+    }
     json["output"] = output_;
     return { json, "Wrote machine '" + made_->name() + "' to " + output_ + "\n" };
   }
@@ -132,17 +137,6 @@ private:
     {
       problems.push_back(reason.what());
     }
-  }
-
-  /// @throws std::invalid_argument with the reason of the system
-  void writeFile(const std::string& content) const
-  {
-    errno = 0;
-    std::ofstream file(output_);
-    file << content;
-    file.close();
-    if (!file)
-      throw std::invalid_argument("--output " + output_ + ": cannot be written: " + std::strerror(errno));
   }
 
   std::string machine_;

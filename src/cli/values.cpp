@@ -5,12 +5,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {
@@ -27,15 +26,16 @@ struct Reading
 
 Reading readNumber(const std::string& word, const Quantity& quantity)
 {
+  const std::optional<double> number = parseNumber(word);
   Reading reading;
-  char* end = nullptr;
-  errno = 0;
-  reading.value = std::strtod(word.c_str(), &end);
-  if (word.empty() || std::isspace(static_cast<unsigned char>(word[0])) || *end != '\0')
-    reading.problem = "'" + word + "' is not a number";
-  else if (!std::isfinite(reading.value) || errno == ERANGE)
+  reading.value = number.value_or(0.0);
+  if (!number && word.find(',') != std::string::npos)
+    reading.problem = "'" + word + "' has a comma; write a decimal point, and blanks between numbers";
+  else if (!number)
+    reading.problem = quoted(word) + " is not a number";
+  else if (!std::isfinite(*number))
     reading.problem = word + " is not a finite number that fits a double";
-  else if (!quantity.allows(reading.value))
+  else if (!quantity.allows(*number))
     reading.problem = word + " is out of range";
   return reading;
 }
@@ -53,6 +53,34 @@ std::string joined(const Words& words, const std::string& separator)
   for (std::size_t i = 0; i < words.size(); ++i)
     text += (i == 0 ? "" : separator) + words[i];
   return text;
+}
+
+Words wordsOf(const std::string& line)
+{
+  constexpr const char* BLANKS = " \t\r\v\f\n";
+  const std::string text = line.substr(0, line.find('#'));
+  Words words;
+  for (std::size_t end = 0, begin; (begin = text.find_first_not_of(BLANKS, end)) != std::string::npos;)
+  {
+    end = std::min(text.size(), text.find_first_of(BLANKS, begin));
+    words.push_back(text.substr(begin, end - begin));
+  }
+  return words;
+}
+
+Words linesOf(const std::string& text)
+{
+  Words lines;
+  for (std::size_t begin = 0; begin < text.size(); begin += lines.back().size() + 1)
+    lines.push_back(text.substr(begin, std::min(text.size(), text.find('\n', begin)) - begin));
+  return lines;
+}
+
+std::string quoted(std::string word)
+{
+  for (std::size_t k = word.find('\0'); k != std::string::npos; k = word.find('\0', k))
+    word.replace(k, 1, "\\0");
+  return "'" + word + "'";
 }
 
 bool Quantity::allows(double value) const
@@ -89,7 +117,8 @@ std::int64_t readCount(const std::string& word, std::int64_t upper)
   char* end = nullptr;
   errno = 0;
   const long long value = std::strtoll(word.c_str(), &end, 10);
-  const bool is_number = !word.empty() && !std::isspace(static_cast<unsigned char>(word[0])) && *end == '\0';
+  const bool is_number =
+      !word.empty() && !std::isspace(static_cast<unsigned char>(word[0])) && end == word.c_str() + word.size();
   if (!is_number || errno == ERANGE || value < 1 || value > upper)
     throw std::invalid_argument((is_number ? word + " is out of range" : "'" + word + "' is not a whole number") +
                                 "; allowed: from 1 to " + std::to_string(upper));
@@ -119,21 +148,14 @@ Words readTexts(const Words& words)
 
 std::vector<Eigen::Vector3d> readPoints(const std::string& path)
 {
-  std::ifstream file(path);
-  if (!file || file.peek() == std::ifstream::traits_type::eof())
-    throw std::invalid_argument("the file cannot be read, or is empty");
   std::vector<Eigen::Vector3d> points;
-  int number = 0;
-  for (std::string line; std::getline(file, line);)
-  {
-    ++number;
-    std::istringstream stream(line.substr(0, line.find('#')));
-    const Words words{ std::istream_iterator<std::string>(stream), {} };
+  readLines(path, [&points](const std::string& line, std::size_t number) {
+    const Words words = wordsOf(line);
     if (words.empty())
-      continue;
+      return;
+    const std::string place = "line " + std::to_string(number) + ": ";
     if (words.size() != 3)
-      throw std::invalid_argument("line " + std::to_string(number) + ": needs 3 numbers (X Y Z), got " +
-                                  std::to_string(words.size()));
+      throw std::invalid_argument(place + "needs 3 numbers (X Y Z), got " + std::to_string(words.size()));
     try
     {
       const std::vector<double> numbers = readNumbers(words, LENGTH);
@@ -141,9 +163,11 @@ std::vector<Eigen::Vector3d> readPoints(const std::string& path)
     }
     catch (const std::invalid_argument& reason)
     {
-      throw std::invalid_argument("line " + std::to_string(number) + ": " + reason.what());
+      throw std::invalid_argument(place + reason.what());
     }
-  }
+  });
+  if (points.empty())
+    throw std::invalid_argument("the file has no point");
   return points;
 }
 

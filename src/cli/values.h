@@ -15,6 +15,12 @@ namespace cli
 using Words = std::vector<std::string>;
 
 std::string joined(const Words& words, const std::string& separator);
+/// What stands between blanks, up to a #.
+Words wordsOf(const std::string& line);
+/// The lines of a text.
+Words linesOf(const std::string& text);
+/// In quotation marks, with what zero bytes would hide.
+std::string quoted(std::string word);
 
 /// What a number on the command line may be.
 struct Quantity

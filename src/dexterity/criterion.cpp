@@ -82,7 +82,7 @@ bool Budget::isOver(double seconds) const
 
 std::string Budget::endedBy(double seconds, std::int64_t boxes) const
 {
-  std::ostringstream text;
+  TextStream text;
   if (stop && *stop)
     text << "a request to stop";
   else if (max_boxes > 0 && boxes >= max_boxes)

@@ -21,7 +21,7 @@ class Path(CommandTest):
         return process.stderr
 
     def test_a_path_inside(self):
-        answer = self.path("start 0 0 0", "line -0.1, 0, 0  # and back", "arc 0 0.1 0 0.1 0 0",
+        answer = self.path("start 0 0 0", "line -0.1 0 0  # and back", "arc 0 0.1 0 0.1 0 0",
                            "turn 0 0 0 0 0 1 0 0.1 0", "", "circle 0 0 0 0 0 1", "helix 0 0 0 0 0 1 6.28 0.1",
                            options=("--tool-speed", 0.5))
         self.assertEqual(answer["verdict"], "inside")
@@ -91,7 +91,8 @@ class Path(CommandTest):
                        "bad.txt:6: .*x"):
             self.assertRegex(text, phrase)
         self.assertRegex(self.refused(), "a path is missing")
-        self.assertRegex(self.refused("--file", str(self.folder / "none.txt")), "none.txt' cannot be read")
+        self.assertRegex(self.refused("--file", str(self.folder / "none.txt")),
+                         "none.txt: cannot be read: No such file")
         self.assertRegex(self.refused("--file", self.file("a.txt", "start 0 0 0\nline 0 0 0\n"),
                                       "--segment", "start 0 0 0", "--segment", "line 0 0 0"), "given twice")
 

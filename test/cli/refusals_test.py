@@ -25,7 +25,7 @@ REFUSALS = [
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),
     ("largest --urdf /no/such/file.urdf", "--urdf /no/such/file.urdf: .*No such file or directory"),
-    ("largest --urdf /", "--urdf /: .*Is a directory"),
+    ("largest --urdf /", "--urdf /: /: cannot be read: it is a folder, not a regular file; name a file in it"),
     (f"largest --urdf {__file__}", "--urdf .*: the URDF is refused"),
     (LARGEST + "--psimin 0.5", "--psimin: there is no such option"),
     (LARGEST + "--psi 0.5", "--psi: there is no such option"),
@@ -74,7 +74,7 @@ REFUSALS = [
     (LARGEST + "--tcp-links a b c", "'a'"),
     (LARGEST + "--threads 1 stray", "got 2"),
     (EVALUATE, "give either --point X Y Z, or --points FILE"),
-    (EVALUATE + "--points /no/such/file", "--points /no/such/file: the file cannot be read"),
+    (EVALUATE + "--points /no/such/file", "--points /no/such/file: /no/such/file: cannot be read: No such file"),
     (EVALUATE + f"--points {__file__}", r"--points \S*: line [0-9]+: needs 3 numbers \(X Y Z\), got"),
     (EVALUATE + f"--point 0 0 0 --points {__file__}", "line [0-9]+: "),
     (LARGEST + "--set all", "--set all: 'all' is not known; allowed: dextrous, reachable"),
@@ -144,7 +144,12 @@ REFUSALS = [
     ("urdf --machine uranesx --lambda 0.1 --rail-radius 1", "--rail-radius 1, --lambda 0.1: only one of the two"),
     ("urdf --machine uranesx --lambda 3", "--lambda 3: R - r = .* m must lie between 0 and the strut length L = 1 m"),
     ("urdf --machine orthoglide --output /no/such/folder/x", "--output /no/such/folder/x: cannot be written: No such"),
-    ("urdf --machine orthoglide --output /dev/full", "--output /dev/full: cannot be written: No space left"),
+    ("urdf --machine orthoglide --output /dev/full", "--output /dev/full: cannot be written: it is not a reg"),
+    ("urdf --machine orthoglide --length 1e308", r"--length 1e308: .*L = 1e\+308 m must be from 1e-9 m to 1e9 m"),
+    ("urdf --machine uranesx --length 1e-300", "--length 1e-300: .*L = 1e-300 m must be from 1e-9 m to 1e9 m"),
+    ("largest --x=", "--x: there is no such option"),
+    (LARGEST + "--psi-min=", "--psi-min : '' is not a number; allowed: > 0"),
+    (LARGEST + "--psi-min 0,5", "--psi-min 0,5: '0,5' has a comma; write a decimal point"),
 ]
 
 
