@@ -31,6 +31,11 @@ Json jsonOf(const Comparison& study)
   json["center"] = found ? toJson(study.region.center) : Json();
   json["size"] = study.region.size;
   json["size_upper_bound"] = study.region.size_upper_bound;
+  if (isSolid(*study.region.shape))
+  {
+    json["volume"] = study.region.volume;
+    json["volume_upper_bound"] = study.region.volume_upper_bound;
+  }
   json["joint_ranges"] = Json::array();
   json["figures"] = Json::object();
   json["scaled"] = Json::object();

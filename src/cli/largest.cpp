@@ -34,10 +34,11 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["verification_boxes"] = region.verification_boxes;
   json["seconds"] = region.seconds;
   json["message"] = region.message;
+  json["ratio"] = region.ratio ? Json{ region.ratio->lower, region.ratio->upper } : Json();
   if (isSolid(shape))
   {
-    json["volume"] = shape.volume(region.size).lower();
-    json["volume_upper_bound"] = shape.volume(region.size_upper_bound).upper();
+    json["volume"] = region.volume;
+    json["volume_upper_bound"] = region.volume_upper_bound;
   }
   return json;
 }
@@ -82,7 +83,9 @@ public:
     machine_.declare(options);
     shape_.declare(options, query_);
     criterion_options_.declare(options, query_.criterion);
-    accuracy_.declare(options, "largest difference between the proved size and its upper bound (of a box: in factors)");
+    accuracy_.declare(options,
+                      "largest difference between the proved size and its upper bound (of a box: in factors; of a "
+                      "cylinder of free ratio: by how much its height would grow with its volume)");
     options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
     options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
@@ -105,9 +108,11 @@ public:
     query_.accuracy = accuracy_.valueFor(machine);
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
-    query_.progress = [&progress](const RegionProgress& state) {
-      progress.tell("size " + bracket(state.size, state.size_upper_bound) + ", " + std::to_string(state.boxes_done) +
-                    " boxes done, " + std::to_string(state.boxes_open) + " open");
+    query_.progress = [&progress, this](const RegionProgress& state) {
+      progress.tell((query_.ratio ? "volume " + bracket(state.volume, state.volume_upper_bound) + " m^3"
+                                  : "size " + bracket(state.size, state.size_upper_bound)) +
+                    ", " + std::to_string(state.boxes_done) + " boxes done, " + std::to_string(state.boxes_open) +
+                    " open");
     };
     const LargestRegion region =
         center_ ? largestRegionAt(machine, query_, *center_) : findLargestRegion(machine, query_);
@@ -118,19 +123,19 @@ private:
   std::string print(const LargestRegion& region) const
   {
     const Shape& shape = *region.shape;
-    const int decimals = decimalsFor(region.size, region.size_upper_bound);
+    const int decimals =
+        decimalsFor(region.size, region.ratio ? region.size + query_.accuracy : region.size_upper_bound);
     std::vector<Words> rows = { { "status", std::string(name(region.status)) + " (" + region.message + ")" },
-                                { shape.sizeMeaning(), roundedDown(region.size, decimals) },
-                                { "upper bound", roundedUp(region.size_upper_bound, decimals) } };
+                                { shape.sizeMeaning(), roundedDown(region.size, decimals) } };
+    if (!region.ratio)
+      rows.push_back({ "upper bound", roundedUp(region.size_upper_bound, decimals) });
     if (region.size > 0.0)
     {
       rows.push_back({ "center", describe(region.center) });
       rows.push_back({ "dimensions", dimensions(shape, region.size, decimals) });
-      if (isSolid(shape))
-        rows.push_back(
-            { "volume",
-              bracket(shape.volume(region.size).lower(), shape.volume(region.size_upper_bound).upper()) + " m^3" });
     }
+    if (region.ratio || (region.size > 0.0 && isSolid(shape)))
+      rows.push_back({ "volume", bracket(region.volume, region.volume_upper_bound) + " m^3" });
     rows.push_back({ "effort", std::to_string(region.boxes) + " boxes of centers, " + seconds(region.seconds) });
     std::string text = "Largest " + shape.name() + " of machine '" + machine_.machine().name() + "'\n\n";
     text += aligned(rows, Align::LEFT) + "\n";
@@ -159,9 +164,20 @@ private:
     const std::string first =
         "every point of the " + shape + " with this center and size is " + quality(query_.criterion) + "; ";
     const bool slides = slidesAlongRails(machine_.machine(), query_.criterion);
-    return "Proved: " + (region.size > 0.0 ? first : "") + "no " + shape + " of a size above " +
-           roundedUp(region.size_upper_bound, decimals) + ", " + where + ", has all its points " +
-           quality(query_.criterion) + "." + (slides ? " The rails are parallel: the same holds all along them." : "");
+    return "Proved: " + (region.size > 0.0 ? first : "") + "no " + tooLarge(region, decimals) + ", " + where +
+           ", has all its points " + quality(query_.criterion) + "." +
+           (slides ? " The rails are parallel: the same holds all along them." : "");
+  }
+
+  /// What is proved not to exist: "cube of a size above 0.644".
+  static std::string tooLarge(const LargestRegion& region, int decimals)
+  {
+    const std::string shape = region.shape->name();
+    if (!region.ratio)
+      return shape + " of a size above " + roundedUp(region.size_upper_bound, decimals);
+    return shape + " with a radius of " + exact(region.ratio->lower) + " to " + exact(region.ratio->upper) +
+           " times its height and a volume above " +
+           roundedUp(region.volume_upper_bound, decimalsFor(region.volume, region.volume_upper_bound)) + " m^3";
   }
 
   MachineOptions machine_;

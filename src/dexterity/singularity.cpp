@@ -232,9 +232,13 @@ private:
       {
         const Vector3d point = DIVISIONS[k] * low + (1.0 - DIVISIONS[k]) * high;
         const Form value = at(point);
-        is_narrower = value.upper() <= 0.0 || value.lower() >= 0.0;
+        if (!(value.upper() <= 0.0 || value.lower() >= 0.0))
+          continue;
+        Vector3d& end = value.upper() <= 0.0 ? low : high;
+        const Vector3d& other = value.upper() <= 0.0 ? high : low;
+        is_narrower = (other - point).squaredNorm() < (high - low).squaredNorm();  // not where doubles end
         if (is_narrower)
-          (value.upper() <= 0.0 ? low : high) = point;
+          end = point;
       }
     }
     return Box{ low.cwiseMin(high), low.cwiseMax(high) };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace pkm_workspace
 {
@@ -24,6 +25,9 @@ CellState stateOf(BoxVerdict verdict, CellState undecided)
          : verdict == BoxVerdict::OUTSIDE ? CellState::OUTSIDE
                                           : undecided;
 }
+
+/// More than volumes may differ by the order in which levels are summed up, relative to them.
+constexpr double ORDER = 0x1p-40;
 }  // namespace
 
 StateCounts Paver::Counts::states(std::size_t size) const
@@ -50,7 +54,9 @@ Paver::Paver(const Machine& machine, const PavingQuery& query, const Paving* ear
   , test_(machine, query.criterion)
   , pool_(query.budget.threads, ALONE)
   , begin_(std::chrono::steady_clock::now())
+  , pace_(query.progress_period)
 {
+  told_.volume_boundary = std::numeric_limits<double>::infinity();
   paving_.geometry_hash = machine.geometryHash();
   paving_.criterion = query.criterion;
   paving_.resolution = query.resolution;
@@ -219,7 +225,7 @@ Paver::Level Paver::halves(const Level& level, const States& states, const std::
 /// @param sum of what became of the level in work
 void Paver::report(const Level& level, const Counts& sum)
 {
-  if (!query_.progress || seconds() < next_progress_)
+  if (!query_.progress || !pace_.isDue(seconds()))
     return;
   const BoxTree& tree = paving_.tree;
   const Interval each = tree.bisection().volume(tree.levels());
@@ -227,8 +233,10 @@ void Paver::report(const Level& level, const Counts& sum)
   const Interval inside = tree.volume(CellState::INSIDE) + volume(sum.inside);
   const Interval undecided = tree.volume(CellState::BOUNDARY) + tree.volume(CellState::PENDING) +
                              volume(level.size - sum.inside - sum.outside);
-  query_.progress(
-      { inside.lower(), undecided.upper(), paving_.boxes_here + static_cast<std::int64_t>(sum.looked), seconds() });
-  next_progress_ = seconds() + 0.1;
+  told_.volume_inside = std::max(told_.volume_inside, (1.0 - ORDER) * inside.lower());
+  told_.volume_boundary = std::min(told_.volume_boundary, (1.0 + ORDER) * undecided.upper());
+  told_.boxes = paving_.boxes_here + static_cast<std::int64_t>(sum.looked);
+  told_.seconds = seconds();
+  query_.progress(told_);
 }
 }  // namespace pkm_workspace

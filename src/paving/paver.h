@@ -69,6 +69,7 @@ private:
   ThreadPool pool_;
   Paving paving_;
   std::chrono::steady_clock::time_point begin_;
-  double next_progress_ = 0.1;  ///< [s]
+  Pace pace_;
+  PavingProgress told_;  ///< last: nobody is told less later
 };
 }  // namespace pkm_workspace

@@ -14,6 +14,19 @@ void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
   }
 }
 
+/// Makes the region the incumbent if it is larger and proved. @return with a bad point if one stands in the way, of the
+/// region's place where there are places
+ContainmentResult CenterSearch::certify(const Candidate& candidate)
+{
+  if (!incumbent_.asksFor(candidate.size))
+    return {};
+  const Candidate region = settled(candidate);
+  ContainmentResult proof = incumbent_.certify(region);
+  if (proof.bad_point && space_.travel)
+    *proof.bad_point += space_.travel->placeOf(region.center) - region.center;
+  return proof;
+}
+
 /// Learns from a region that is refused. Along parallel rails a point is bad for other regions too if it is without
 /// joint limits, and then all along the rails. A bad point that no double is cannot be known, but its place in K can.
 void CenterSearch::learn(const Candidate& refused, const ContainmentResult& proof)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pkm_workspace
 {
@@ -18,15 +17,17 @@ constexpr std::size_t STARTS = 2;
 constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
 /// If none of these is, a region is certified that is this much smaller.
 constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
-/// Boxes that one region may take to be proved, and the share of all that are allowed.
-constexpr std::int64_t VERIFICATION_BOXES = 20000;
-constexpr std::int64_t VERIFICATIONS = 16;
 /// New witness points that one climb may learn from failed certificates.
 constexpr int LESSONS = 24;
 /// From so many boxes on the bounds of boxes are lowered on the way; a search that ends before has no use for them.
 constexpr std::int64_t LONG_SEARCH = 512;
-/// Looks that lower the bounds of open boxes when a search is ended early.
-constexpr int LAST_LOOKS = 256;
+/// The bounds of open boxes are lowered after so many boxes, and whenever they have doubled: in searches that turn out
+/// long; where a box budget will end them, from early on. It holds to the end: larger budgets never give wider
+/// brackets.
+constexpr std::int64_t CHECKPOINT = 2048;
+constexpr std::int64_t FIRST_CHECKPOINT = 64;
+/// Looks that lower them.
+constexpr int LOWERING_LOOKS = 256;
 /// The finest accuracies that are tried in doubles and with multi-precision, as lengths relative to the longest strut.
 /// Sizes are doubles.
 constexpr double LEAST_ACCURACY = 1e-12;
@@ -51,6 +52,7 @@ std::optional<BoxTest> withoutLimits(const Machine& machine, const RegionQuery& 
 CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, double known,
                            std::int64_t verification_boxes)
   : query_(query)
+  , budget_(query.budget)
   , test_(machine, query.criterion, query.precision)
   , space_(centerSpace(machine, query))
   , test_across_rails_(withoutLimits(machine, query, space_))
@@ -61,69 +63,44 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , pool_(query.budget.threads)
   , scale_(machine.scale())
   , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().maxCoeff()))
-  , most_verification_boxes_(verification_boxes > 0 ? verification_boxes : std::numeric_limits<std::int64_t>::max())
-  , begin_(std::chrono::steady_clock::now())
+  , incumbent_(test_, query_, budget_, known, verification_boxes)
+  , is_part_(verification_boxes > 0)
+  , checkpoint_(query.budget.max_boxes > 0 && !is_part_ ? FIRST_CHECKPOINT : CHECKPOINT)
+  , bracket_(0.0, space_.size_bound)
+  , pace_(query.progress_period)
   , zero_(machine.zero())
-{
-  incumbent_.size = known;
-}
-
-double CenterSearch::seconds() const
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
+{}
 
 /// The least size whose absence proves the answer to the accuracy, rounded so that the bracket is never wider.
 double CenterSearch::target() const
 {
-  return rounding::add(incumbent_.size, accuracy_).lower;
+  return rounding::add(incumbent_.size(), accuracy_).lower;
 }
 
 double CenterSearch::upperBound() const
 {
   const double open = open_.empty() ? 0.0 : open_.top().bound;
-  return std::min(space_.size_bound, std::max({ incumbent_.size, excluded_bound_, unsettled_bound_, open }));
-}
-
-/// Makes the region the incumbent if it is larger and proved. @return with a bad point if one stands in the way, of the
-/// region's place where there are places
-ContainmentResult CenterSearch::certify(const Candidate& candidate)
-{
-  if (candidate.size <= incumbent_.size || verification_boxes_ >= most_verification_boxes_)
-    return {};
-  const std::int64_t most = std::min(VERIFICATION_BOXES, most_verification_boxes_ / VERIFICATIONS + 1);
-  const Candidate region = settled(candidate);
-  ContainmentResult proof =
-      checkContainment(test_, *query_.shape, region.center, region.size, most, query_.budget.stop);
-  verification_boxes_ += proof.boxes;
-  if (proof.verdict == Containment::INSIDE)
-  {
-    incumbent_ = region;
-    found_ = true;
-  }
-  if (proof.bad_point && space_.travel)
-    *proof.bad_point += space_.travel->placeOf(region.center) - region.center;
-  return proof;
+  return std::min(bracket_.upper(), std::max({ incumbent_.size(), excluded_bound_, unsettled_bound_, open }));
 }
 
 /// Certifies a region a little smaller than the candidate. @return whether one was found
 bool CenterSearch::certifyBelow(const Candidate& candidate)
 {
-  const double before = incumbent_.size;
+  const double before = incumbent_.size();
   for (const double share : BACK_OFFS)
-    if (incumbent_.size == before)
+    if (incumbent_.size() == before)
       certify({ candidate.center, candidate.size - share * accuracy_ });
   for (const double share : SHRINKAGES)
-    if (incumbent_.size == before)
+    if (incumbent_.size() == before)
       certify({ candidate.center, share * candidate.size });
-  return incumbent_.size > before;
+  return incumbent_.size() > before;
 }
 
 /// Climbs and certifies; a bad point that the witness points missed becomes one of them, and the climb starts anew.
 void CenterSearch::climbFrom(const Candidate& start)
 {
   Candidate found = searched(start);
-  for (int lesson = 0; lesson < LESSONS && !query_.budget.isOver(seconds()); ++lesson)
+  for (int lesson = 0; lesson < LESSONS && !budget_.isOver(); ++lesson)
   {
     found = local_search_.climb(found, BACK_OFFS[0] * accuracy_);
     const ContainmentResult proof = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
@@ -131,7 +108,7 @@ void CenterSearch::climbFrom(const Candidate& start)
       break;
     learn(found, proof);
   }
-  if (found.size > incumbent_.size + 0.5 * accuracy_)
+  if (found.size > incumbent_.size() + 0.5 * accuracy_)
     certifyBelow(found);
 }
 
@@ -165,10 +142,10 @@ void CenterSearch::tryCenter(const Box& centers, double size)
   const ContainmentResult proof = certify(candidate);
   if (proof.bad_point)
     learn(candidate, proof);
-  else if (incumbent_.size == size)
+  else if (incumbent_.size() == size)
   {
     grow();
-    climbFrom(incumbent_);
+    climbFrom(incumbent_.candidate());
   }
 }
 
@@ -177,11 +154,11 @@ void CenterSearch::grow()
 {
   for (double step = accuracy_;; step *= 2.0)
   {
-    const Candidate larger{ incumbent_.center, incumbent_.size + step };
+    const Candidate larger{ incumbent_.candidate().center, incumbent_.size() + step };
     const ContainmentResult proof = certify(larger);
     if (proof.bad_point)
       learn(larger, proof);
-    if (incumbent_.size != larger.size)
+    if (incumbent_.size() != larger.size)
       return;
   }
 }
@@ -219,11 +196,18 @@ void CenterSearch::settle(const Node& node, double size, const Look& look)
   open_.push({ halves.second, look.bound, look.room });
 }
 
+/// A wave ends at a budget and at a checkpoint: what a larger budget does begins with what a smaller one does.
+std::size_t CenterSearch::allowedBoxes() const
+{
+  std::int64_t allowed = std::min(static_cast<std::int64_t>(WAVE), checkpoint_ - boxes_);
+  if (query_.budget.max_boxes > 0)
+    allowed = std::min(allowed, query_.budget.max_boxes - boxes_);
+  return static_cast<std::size_t>(allowed);
+}
+
 void CenterSearch::processWave()
 {
-  std::size_t allowed = WAVE;
-  if (query_.budget.max_boxes > 0)
-    allowed = std::min(allowed, static_cast<std::size_t>(query_.budget.max_boxes - boxes_));
+  const std::size_t allowed = allowedBoxes();
   std::vector<Node> wave;
   for (; wave.size() < allowed && !open_.empty(); open_.pop())
     wave.push_back(open_.top());
@@ -232,36 +216,38 @@ void CenterSearch::processWave()
   pool_.forEach(wave.size(), [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
   for (std::size_t k = 0; k < wave.size(); ++k)
     settle(wave[k], size, looks[k]);
+  if (boxes_ == checkpoint_)
+  {
+    lowerBounds();
+    checkpoint_ *= 2;
+  }
 }
 
-bool CenterSearch::outOfBudget()
+void CenterSearch::tellProgress()
 {
-  const Budget& budget = query_.budget;
-  if (budget.max_boxes > 0 && boxes_ >= budget.max_boxes)
-    return true;
-  const bool timed = budget.time_limit > 0.0 || query_.progress;
-  const double now = timed ? seconds() : 0.0;
-  if (query_.progress && now >= next_progress_)
-  {
-    query_.progress({ incumbent_.size, upperBound(), boxes_, static_cast<std::int64_t>(open_.size()), now });
-    next_progress_ = now + 0.1;
-  }
-  return budget.isOver(now);
+  const double now = query_.progress ? budget_.seconds() : 0.0;
+  if (!query_.progress || !pace_.isDue(now))
+    return;
+  bracket_.narrow(incumbent_.size(), upperBound());
+  const Shape& shape = *query_.shape;
+  query_.progress({ bracket_.lower(), bracket_.upper(), shape.volume(bracket_.lower()).lower(),
+                    shape.volume(bracket_.upper()).upper(), boxes_, static_cast<std::int64_t>(open_.size()), now });
 }
 
 /// Lowers the upper bound as far as looks at whole open boxes can.
 void CenterSearch::lowerBounds()
 {
-  for (int look = 0; look < LAST_LOOKS && !open_.empty(); ++look)
+  for (int look = 0; look < LOWERING_LOOKS && !open_.empty(); ++look)
   {
     Node node = open_.top();
     const double lower = 0.5 * (target() + node.bound);
     if (node.bound <= target() || lower >= node.bound || !center_tests_.front().excludes(node.centers, lower))
-      return;
+      break;
     open_.pop();
     node.bound = lower;
     open_.push(node);
   }
+  bracket_.narrow(0.0, upperBound());
 }
 
 LargestRegion CenterSearch::run()
@@ -271,9 +257,11 @@ LargestRegion CenterSearch::run()
   start();
   while (!open_.empty())
   {
-    if (outOfBudget())
+    tellProgress();
+    if (budget_.isOver(boxes_))
     {
-      lowerBounds();
+      if ((query_.budget.max_boxes == 0 || is_part_) && boxes_ < CHECKPOINT)
+        lowerBounds();  // a moment's work where next to nothing is known
       return result(false);
     }
     processWave();
@@ -281,17 +269,18 @@ LargestRegion CenterSearch::run()
   return result(true);
 }
 
-LargestRegion CenterSearch::result(bool done) const
+LargestRegion CenterSearch::result(bool done)
 {
+  bracket_.narrow(0.0, upperBound());
   LargestRegion region;
   region.shape = query_.shape;
-  region.center = incumbent_.center;
-  region.size = found_ ? incumbent_.size : 0.0;
-  region.size_upper_bound = upperBound();
+  region.center = incumbent_.candidate().center;
+  region.size = incumbent_.isFound() ? incumbent_.size() : 0.0;
+  region.size_upper_bound = bracket_.upper();
   region.boxes = boxes_;
-  region.verification_boxes = verification_boxes_;
-  region.seconds = seconds();
-  conclude(region, query_.accuracy, done ? "" : query_.budget.endedBy(region.seconds, boxes_));
+  region.verification_boxes = incumbent_.boxes();
+  region.seconds = budget_.seconds();
+  conclude(region, query_.accuracy, done ? "" : budget_.endedBy(boxes_));
   return region;
 }
 }  // namespace pkm_workspace

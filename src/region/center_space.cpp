@@ -64,14 +64,22 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
 CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
 {
   const Box bounds = boundsOfSet(machine, query.criterion);
-  CenterSpace space{ bounds, sizeBound(machine, query, bounds), std::nullopt };
+  CenterSpace space{ bounds, 0.0, std::nullopt };
+  if (!bounds.isValid())
+    return space;  // no point belongs to the set
+  space.size_bound = sizeBound(machine, query, bounds);
   if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
   else if (machine.hasParallelRails())
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);
-  if (space.centers.isValid() && !isBounded(space.centers, machine))
+  if (!space.centers.isValid())
+  {
+    space.size_bound = 0.0;  // nor does a center
+    return space;
+  }
+  if (!isBounded(space.centers, machine))
     throwUnbounded(machine, query.criterion);
   if (!std::isfinite(space.size_bound))
     throw Unbounded(Unbounded::What::SHAPE, "a " + query.shape->name() + " along the rails can be as long as one likes",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_cylinder.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 #include "pkm_workspace/region/center_search.h"
@@ -17,31 +18,43 @@ constexpr double LEAST_PART = 1e-9;
 /// Regions of one ratio are searched to this share of the accuracy; the other part is for the ratios in between.
 constexpr double SHARE = 0.25;
 
+/// A number whose cube is not below the given one.
+double cubeRootAbove(double volume)
+{
+  if (volume <= 0.0)
+    return 0.0;
+  double root = std::cbrt(volume) * (1.0 + 0x1p-50);
+  while (std::isfinite(root) && !((Interval(root) * sqr(Interval(root))).lower() >= volume))
+    root *= 2.0;
+  return root;
+}
+
 class CylinderSearch
 {
 public:
   CylinderSearch(const Machine& machine, const RegionQuery& query)
-    : machine_(machine), query_(query), begin_(std::chrono::steady_clock::now())
+    : machine_(machine), query_(query), budget_(query.budget)
   {
     best_.shape = query.shape;
+    best_.ratio = query.ratio;
   }
 
   LargestRegion run()
   {
-    look(query_.ratio->lower, query_.ratio->upper);
-    while (upperBound() > target() && open_.top().upper > open_.top().lower * (1.0 + LEAST_PART) && !isOver())
+    look(query_.ratio->lower, query_.ratio->upper, std::numeric_limits<double>::infinity());
+    while (!isNarrow() && open_.top().upper > open_.top().lower * (1.0 + LEAST_PART) && !budget_.isOver(boxes_))
     {
       const Part part = open_.top();
       open_.pop();
-      const double middle = std::sqrt(part.lower) * std::sqrt(part.upper);
-      look(part.lower, middle);
-      look(middle, part.upper);
+      divide(part);
     }
-    best_.size_upper_bound = upperBound();
-    best_.seconds = seconds();
+    narrow();
+    best_.size_upper_bound = heightBound();
+    best_.volume_upper_bound = volumeBound();
+    best_.seconds = budget_.seconds();
     best_.boxes = boxes_;
     best_.verification_boxes = verification_boxes_;
-    conclude(best_, query_.accuracy, query_.budget.endedBy(best_.seconds, boxes_));
+    conclude(best_, query_.accuracy, budget_.endedBy(boxes_));
     return best_;
   }
 
@@ -55,18 +68,21 @@ private:
     bool operator<(const Part& other) const { return bound < other.bound; }
   };
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-  bool isOver() const { return query_.budget.isOver(seconds()) || (max_boxes_ > 0 && boxes_ >= max_boxes_); }
   double target() const { return rounding::add(best_.size, query_.accuracy).lower; }
 
-  /// The height of a cylinder of the best ratio with the largest volume that is still possible.
-  double upperBound() const
+  /// As conclude() asks for it.
+  bool isNarrow() const
   {
-    const double ratio = best_.shape->halfExtents().x();
-    double height = std::cbrt(open_.top().bound) / std::cbrt(ratio * ratio);
-    while (!(volumeOverPi(ratio, height).lower() >= open_.top().bound))
-      height *= 1.0 + 1e-15;
-    return std::max(best_.size, height);
+    return (pi() * Interval(open_.top().bound)).upper() <= best_.shape->volume(target()).lower();
+  }
+
+  /// No cylinder has a larger volume.
+  double volumeBound() const { return (pi() * Interval(bracket_.upper())).upper(); }
+
+  /// No cylinder is higher than the one of the least ratio with the largest volume that is still possible.
+  double heightBound() const
+  {
+    return cubeRootAbove((Interval(bracket_.upper()) / sqr(Interval(query_.ratio->lower))).upper());
   }
 
   static Interval volumeOverPi(double ratio, double height)
@@ -74,7 +90,20 @@ private:
     return sqr(Interval(ratio)) * Interval(height) * sqr(Interval(height));
   }
 
-  void look(double lower, double upper)
+  void divide(const Part& part)
+  {
+    const double middle = std::sqrt(part.lower) * std::sqrt(part.upper);
+    in_hand_ = part.bound;
+    look(part.lower, middle, part.bound);
+    in_hand_ = 0.0;
+    if (budget_.isOver(boxes_))
+      open_.push({ middle, part.upper, part.bound });
+    else
+      look(middle, part.upper, part.bound);
+  }
+
+  /// @param known bound of volume / pi [m^3]
+  void look(double lower, double upper, double known)
   {
     const double ratio = std::min(upper, std::max(lower, std::cbrt(lower) * std::cbrt(upper) * std::cbrt(upper)));
     RegionQuery query = query_;
@@ -82,23 +111,25 @@ private:
     query.shape = makeCylinder(ratio);
     query.accuracy = SHARE * query_.accuracy;
     query.progress = nullptr;
-    if (query_.budget.time_limit > 0.0)
-      query.budget.time_limit = std::max(1e-3, query_.budget.time_limit - seconds());
-    if (max_boxes_ > 0)
-      query.budget.max_boxes = std::max<std::int64_t>(1, max_boxes_ - boxes_);
+    query.budget = budget_.rest(boxes_);
     const Interval factor = factorOf(lower, ratio, upper);
     LargestRegion region = CenterSearch(machine_, query, uninteresting(factor) - 2.0 * query.accuracy).run();
     boxes_ += region.boxes;
     verification_boxes_ += region.verification_boxes;
     const Interval height(region.size_upper_bound);
-    open_.push({ lower, upper, (height * sqr(height) * factor).upper() });
-    const double best = volumeOverPi(bestRatio(), best_.size).upper();
-    if (volumeOverPi(ratio, region.size).lower() > best)
-    {
-      region.shape = query.shape;
-      best_ = region;
-    }
-    report();
+    open_.push({ lower, upper, std::min(known, (height * sqr(height) * factor).upper()) });
+    keep(region, query.shape);
+    tellProgress();
+  }
+
+  /// Takes the region if its volume is the largest so far.
+  void keep(const LargestRegion& region, const ShapePtr& shape)
+  {
+    if (volumeOverPi(shape->halfExtents().x(), region.size).lower() <= volumeOverPi(bestRatio(), best_.size).upper())
+      return;
+    best_ = region;
+    best_.shape = shape;
+    best_.ratio = query_.ratio;
   }
 
   /// Encloses max(upper^2, ratio^3 / lower).
@@ -118,18 +149,27 @@ private:
 
   double bestRatio() const { return best_.shape->halfExtents().x(); }
 
-  void report()
+  void narrow()
   {
-    if (query_.progress)
-      query_.progress({ best_.size, upperBound(), boxes_, static_cast<std::int64_t>(open_.size()), seconds() });
+    bracket_.narrow(0.0, std::max({ volumeOverPi(bestRatio(), best_.size).upper(), in_hand_, open_.top().bound }));
+  }
+
+  void tellProgress()
+  {
+    narrow();
+    if (query_.progress && pace_.isDue(budget_.seconds()))
+      query_.progress({ best_.size, heightBound(), best_.shape->volume(best_.size).lower(), volumeBound(), boxes_,
+                        static_cast<std::int64_t>(open_.size()), budget_.seconds() });
   }
 
   const Machine& machine_;
   const RegionQuery& query_;
-  const std::int64_t max_boxes_ = query_.budget.max_boxes;
-  std::chrono::steady_clock::time_point begin_;
+  const RunningBudget budget_;
   LargestRegion best_;
   std::priority_queue<Part> open_;
+  Pace pace_{ query_.progress_period };
+  RunningBracket bracket_;  ///< of volume / pi [m^3]
+  double in_hand_ = 0.0;    ///< bound of the part of which half is still to be looked at
   std::int64_t boxes_ = 0;
   std::int64_t verification_boxes_ = 0;
 };

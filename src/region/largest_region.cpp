@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_region.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "pkm_workspace/interval/decimal.h"
@@ -76,10 +77,31 @@ void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& pro
     throw std::invalid_argument("proportions are for the shape box only, the shape is cylinder");
 }
 
+namespace
+{
+/// No region that is no larger than the size, which may be infinite, has a larger volume.
+double volumeBelow(const Shape& shape, double size)
+{
+  if (std::isfinite(size) || shape.volume(1.0).upper() == 0.0)
+    return shape.volume(std::isfinite(size) ? size : 1.0).upper();
+  return size;
+}
+
+bool isNarrow(const LargestRegion& region, double accuracy)
+{
+  const double enough = rounding::add(region.size, accuracy).lower;
+  return region.ratio ? region.volume_upper_bound <= region.shape->volume(enough).lower()
+                      : region.size_upper_bound <= enough;
+}
+}  // namespace
+
 void conclude(LargestRegion& region, double accuracy, const std::string& ended_by)
 {
   region.status = LargestRegion::Status::STOPPED;
-  const bool narrow = region.size_upper_bound <= rounding::add(region.size, accuracy).lower;
+  region.volume = region.shape->volume(region.size).lower();
+  if (!region.ratio)
+    region.volume_upper_bound = volumeBelow(*region.shape, region.size_upper_bound);
+  const bool narrow = isNarrow(region, accuracy);
   if (narrow && region.size > 0.0)
   {
     region.status = LargestRegion::Status::PROVEN;
@@ -88,7 +110,9 @@ void conclude(LargestRegion& region, double accuracy, const std::string& ended_b
   else if (narrow)
   {
     region.status = LargestRegion::Status::NONE;
-    region.message = "no region as large as the accuracy exists where the center may lie, proved";
+    region.message = region.size_upper_bound == 0.0 ? "no region of any size exists where the center may lie, proved"
+                     : region.ratio ? "no cylinder of the volume that the accuracy asks for exists, proved"
+                                    : "no region as large as the accuracy exists where the center may lie, proved";
   }
   else if (ended_by.empty())
     region.message =

@@ -109,8 +109,10 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
   message.center = toMessage(region.center);
   message.size = region.size;
   message.size_upper_bound = region.size_upper_bound;
-  message.volume = shape.volume(region.size).lower();
-  message.volume_upper_bound = shape.volume(region.size_upper_bound).upper();
+  message.volume = region.volume;
+  message.volume_upper_bound = region.volume_upper_bound;
+  message.ratio_min = region.ratio ? region.ratio->lower : 0.0;
+  message.ratio_max = region.ratio ? region.ratio->upper : 0.0;
 }
 }  // namespace
 
@@ -188,8 +190,11 @@ JointRanges jointRangesOf(const Region& region)
 std::string describe(const RegionQuery& query)
 {
   TextStream text;
-  text << "largest " << query.shape->name() << " with " << describe(query.criterion) << ", accuracy " << query.accuracy
-       << " m, within " << query.budget.time_limit << " s";
+  text << "largest " << query.shape->name();
+  if (query.ratio)
+    text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height,";
+  text << " with " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
+       << query.budget.time_limit << " s";
   return text.str();
 }
 
@@ -199,8 +204,12 @@ std::string summary(const Answer& answer)
   const Shape& shape = *region.shape;
   TextStream text;
   text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m, " << shape.sizeMeaning() << " proven: ";
-  text << region.size << ", no larger than " << region.size_upper_bound << "; ";
-  text << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
+  text << region.size << ", no ";
+  if (region.ratio)
+    text << "volume above " << region.volume_upper_bound << " m^3";
+  else
+    text << "larger than " << region.size_upper_bound;
+  text << "; " << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

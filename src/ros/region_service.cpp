@@ -57,6 +57,8 @@ void RegionService::find(const Action::Goal& goal, const StopFlag& stop, const A
     Action::Feedback feedback;
     feedback.size = progress.size;
     feedback.size_upper_bound = progress.size_upper_bound;
+    feedback.volume = progress.volume;
+    feedback.volume_upper_bound = progress.volume_upper_bound;
     feedback.boxes_done = progress.boxes_done;
     feedback.boxes_open = progress.boxes_open;
     feedback.seconds = progress.seconds;

@@ -2,7 +2,6 @@
 #include "pkm_workspace/study/best_parameter.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -38,7 +37,7 @@ constexpr std::int64_t LAST_LOOK = 512;
 class ParameterSearch
 {
 public:
-  explicit ParameterSearch(const StudyQuery& query) : query_(query), begin_(std::chrono::steady_clock::now())
+  explicit ParameterSearch(const StudyQuery& query) : query_(query), budget_(query.region.budget)
   {
     best_.region.shape = query.region.shape;
   }
@@ -76,14 +75,8 @@ private:
     std::int64_t verification_boxes;  ///< for proofs of regions
   };
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-  const Budget& budget() const { return query_.region.budget; }
   double target() const { return rounding::add(best_.region.size, query_.region.accuracy).lower; }
-
-  bool isOver() const
-  {
-    return budget().isOver(seconds()) || (budget().max_boxes > 0 && best_.region.boxes >= budget().max_boxes);
-  }
+  bool isOver() const { return budget_.isOver(best_.region.boxes); }
 
   /// Looks for regions larger than a size with what is left of the budget; one that is the largest so far is kept,
   /// with the parameter given. @return the certified upper bound
@@ -92,13 +85,9 @@ private:
     RegionQuery query = query_.region;
     query.accuracy *= SHARE;
     query.progress = nullptr;
+    query.budget = budget_.rest(best_.region.boxes);
     query.budget.threads = 1;  // threads would be started anew for each of these short searches
-    if (query.budget.time_limit > 0.0)
-      query.budget.time_limit = std::max(1e-9, query.budget.time_limit - seconds());
-    query.budget.max_boxes = effort.boxes;
-    if (budget().max_boxes > 0)
-      query.budget.max_boxes =
-          std::max<std::int64_t>(1, std::min(effort.boxes, budget().max_boxes - best_.region.boxes));
+    query.budget.max_boxes = query.budget.max_boxes > 0 ? std::min(effort.boxes, query.budget.max_boxes) : effort.boxes;
     CenterSearch search(machine, query, std::max(0.0, known), effort.verification_boxes);
     search.suspect(suspects_);
     const LargestRegion found = search.run();
@@ -138,7 +127,9 @@ private:
     const double lower = query_.range.lower();
     const double upper = query_.range.upper();
     best_.parameter = lower;
-    for (int k = 0; k <= STARTS; ++k)
+    query_.family.at(query_.range.lower());
+    query_.family.at(query_.range.upper());
+    for (int k = 0; k <= STARTS && !isOver(); ++k)
       lookAtMachine(k == STARTS ? upper : lower + k * ((upper - lower) / STARTS));
     double distance = (upper - lower) / STARTS;
     for (int k = 0; k < HALVINGS && !isOver(); ++k)
@@ -184,7 +175,7 @@ private:
     try
     {
       bound = std::min(bound, search(*machine, middle, size - below, effort));
-      if (bound > size)
+      if (bound > size && !isOver())
         bound = std::min(bound, search(*machine, middle, 0.5 * (size + bound) - below, effort));
     }
     catch (const std::invalid_argument&)
@@ -209,7 +200,8 @@ private:
       return;
     }
     const double middle = part.parameters.mid();
-    lookAtMachine(middle, part.divisions);
+    if (!isOver())
+      lookAtMachine(middle, part.divisions);
     open_.push({ { part.parameters.lower(), middle }, bound, part.divisions + 1 });
     open_.push({ { middle, part.parameters.upper() }, bound, part.divisions + 1 });
     in_hand_ = 0.0;
@@ -225,18 +217,19 @@ private:
 
   void tellProgress()
   {
-    const double now = seconds();
-    if (!query_.progress || now < next_progress_)
+    const double now = query_.progress ? budget_.seconds() : 0.0;
+    if (!query_.progress || !pace_.isDue(now))
       return;
-    query_.progress({ best_.region.size, best_.parameter, upperBound(), open_.size(), now });
-    next_progress_ = now + 0.1;
+    bracket_.narrow(best_.region.size, upperBound());
+    query_.progress({ bracket_.lower(), best_.parameter, bracket_.upper(), open_.size(), now });
   }
 
   BestParameter result()
   {
-    best_.region.size_upper_bound = upperBound();
-    best_.region.seconds = seconds();
-    conclude(best_.region, query_.region.accuracy, budget().endedBy(best_.region.seconds, best_.region.boxes));
+    bracket_.narrow(best_.region.size, upperBound());
+    best_.region.size_upper_bound = bracket_.upper();
+    best_.region.seconds = budget_.seconds();
+    conclude(best_.region, query_.region.accuracy, budget_.endedBy(best_.region.boxes));
     for (; !open_.empty(); open_.pop())
       closed_.push_back(open_.top());
     std::sort(closed_.begin(), closed_.end(),
@@ -263,13 +256,14 @@ private:
   }
 
   const StudyQuery& query_;
+  const RunningBudget budget_;
+  RunningBracket bracket_;  ///< of the size
   std::priority_queue<Part> open_;
   std::vector<Part> closed_;
   double in_hand_ = INF;  ///< bound of the parameters that are in work
   std::vector<Eigen::Vector3d> suspects_;
   BestParameter best_;
-  std::chrono::steady_clock::time_point begin_;
-  double next_progress_ = 0.1;
+  Pace pace_{ query_.progress_period };
 };
 }  // namespace
 

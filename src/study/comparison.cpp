@@ -51,7 +51,9 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
     throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");
   study.query.budget.time_limit /= PARTS;
   study.query.progress = [&](const RegionProgress& state) {
-    tell(machine.name() + ", largest region: size " + bracket(state.size, state.size_upper_bound));
+    tell(machine.name() + ", largest region: " +
+         (query.ratio ? "volume " + bracket(state.volume, state.volume_upper_bound) + " m^3"
+                      : "size " + bracket(state.size, state.size_upper_bound)));
   };
   const Budget& budget = study.query.budget;
   study.region = findLargestRegion(machine, study.query);
@@ -98,8 +100,10 @@ std::vector<Figure> figuresOf(const Comparison& study)
   const bool is_own = study.query.criterion.aspect == Criterion::Aspect::OWN;
   const Interval& all = is_own ? study.workspace.own_aspect : study.workspace.other_aspect;
   const Interval& more = is_own ? study.workspace.other_aspect : study.workspace.own_aspect;
+  // of a free ratio, what is bracketed is the volume
+  const Interval size(region.size, region.ratio ? region.size : region.size_upper_bound);
   std::vector<Figure> figures = {
-    { "size", shape.name() + ": " + shape.sizeMeaning(), 1, { region.size, region.size_upper_bound } },
+    { "size", shape.name() + ": " + shape.sizeMeaning(), 1, size },
     { "strut", "longest strut [m]", 1, strut },
     { "stroke", "largest stroke, Delta rho [m]", 1, study.largest(&JointRange::stroke) },
     { "across", "its part Delta f [m]", 1, study.largest(&JointRange::across) },
@@ -109,6 +113,11 @@ std::vector<Figure> figuresOf(const Comparison& study)
   if (shape.volume(1.0).lower() > 0.0)
   {
     const Interval volume = shape.volume(region.size);
+    if (region.ratio)
+      figures.push_back({ "largest_volume",
+                          "largest volume of a " + shape.name() + " [m^3]",
+                          3,
+                          { region.volume, region.volume_upper_bound } });
     figures.push_back({ "region_volume", "volume of the region [m^3]", 3, volume });
     figures.push_back({ "volume_ratio", "  its share of the volume", 0,
                         all.lower() > 0.0 ? intersection(volume / all, { 0.0, 1.0 }) : Interval(0.0, 1.0) });

@@ -107,6 +107,29 @@ class Largest(CommandTest):
         self.assertEqual(cylinder["status"], "proven")
         self.assertEqual(cylinder["dimensions"], [cylinder["size"], cylinder["size"] / 2])
 
+    def test_a_free_ratio_is_bracketed_by_its_volume(self):
+        words = ("--shape", "cylinder", "--accuracy", 1e-2, "--ratio")
+        free = self.largest(ORTHOGLIDE, *words, 0.5, 0.8)
+        self.assertEqual(free["status"], "proven")
+        self.assertEqual(free["ratio"], [0.5, 0.8])
+        for ratio in (0.5, 0.65, 0.8):
+            fixed = self.largest(ORTHOGLIDE, *words, ratio, ratio)
+            self.assertIsNone(fixed["ratio"])
+            self.assertLessEqual(fixed["volume"], free["volume_upper_bound"])
+            self.assertLessEqual(fixed["size"], free["size_upper_bound"])
+            if ratio == 0.5:
+                self.assertGreater(fixed["size"], free["size"] + 0.05)
+        text = self.text("largest", "--urdf", ORTHOGLIDE, *words, 0.5, 0.8)
+        self.assertNotRegex(text, r"size\s+above")
+        claimed = re.search(r"0\.5\s+to\s+0\.8\s+times\s+its\s+height\s+and\s+a\s+volume\s+above\s+(\S+)\s+m\^3", text)
+        self.assertGreaterEqual(Fraction(claimed.group(1)), Fraction(free["volume_upper_bound"]))
+
+    def test_a_machine_whose_limits_leave_nothing(self):
+        urdf = self.file("empty.urdf", self.with_limits(ORTHOGLIDE, 5, 6))
+        for words in (["cube"], ["sphere"], ["cylinder", "--ratio", 0.5, 0.5], ["cylinder", "--ratio", 0.5, 1]):
+            answer = self.largest(urdf, "--joint-limits", "on", "--time-limit", 1, "--shape", *words)
+            self.assertEqual((answer["status"], answer["size"], answer["size_upper_bound"]), ("none", 0, 0))
+
     def test_search_box_and_center(self):
         everywhere = self.largest(ORTHOGLIDE, "--search-box", -1, 1, -1, 1, -1, 1)
         self.assertProven(everywhere, CUBE, 1e-12)

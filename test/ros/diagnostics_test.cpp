@@ -69,6 +69,19 @@ TEST(Diagnostics, tellOfTheGeometryAndTheLastComputation)
   EXPECT_GE(std::stod(valuesOf(computation)["seconds"]), 0.0);
 }
 
+TEST(Diagnostics, tellTheBracketOfAFreeRatioAsOneOfVolumes)
+{
+  RegionRequest query;
+  query.shape = RegionRequest::CYLINDER;
+  query.accuracy = 1e-2;
+  query.ratio_min = 0.55;
+  query.ratio_max = 0.75;
+  compute(query);
+  const auto values = valuesOf(computation("radius 0.55 to 0.75 times its height"));
+  EXPECT_TRUE(has(values.at("answer"), "no volume above")) << values.at("answer");
+  EXPECT_FALSE(has(values.at("answer"), "no larger")) << values.at("answer");
+}
+
 TEST(Diagnostics, countRefusals)
 {
   const auto count = [](const DiagnosticStatus& status) { return std::stol(valuesOf(status)["invalid requests"]); };

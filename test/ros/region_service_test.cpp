@@ -175,6 +175,24 @@ TEST(ComputeLargestRegion, findsSquaresAndBoxes)
   EXPECT_GT(square.region.size_upper_bound, 2.0 * box.region.size);
 }
 
+TEST(ComputeLargestRegion, bracketsAFreeRatioByItsVolume)
+{
+  RegionRequest query;
+  query.shape = RegionRequest::CYLINDER;
+  query.accuracy = 1e-2;
+  query.ratio_min = query.ratio_max = 0.5;
+  const Region fixed = compute(query).region;
+  EXPECT_EQ(0.0, fixed.ratio_max);
+  query.ratio_max = 0.8;
+  const Region free = compute(query).region;
+  EXPECT_EQ(Region::PROVEN, free.status) << free.message;
+  EXPECT_EQ(0.5, free.ratio_min);
+  EXPECT_EQ(0.8, free.ratio_max);
+  EXPECT_GT(fixed.size, free.size + 0.05);
+  EXPECT_LE(fixed.size, free.size_upper_bound);
+  EXPECT_LE(fixed.volume, free.volume_upper_bound);
+}
+
 TEST(ComputeLargestRegion, findsRoundShapes)
 {
   RegionRequest query;

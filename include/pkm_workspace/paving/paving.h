@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/pace.h"
 #include "pkm_workspace/paving/box_tree.h"
 
 namespace pkm_workspace
@@ -31,7 +32,8 @@ struct PavingQuery
   std::optional<Box> box;       ///< what to pave [m]; without it, defaultBox()
   Budget budget;                ///< of boxes and time, those of this run count
   std::int64_t max_memory = 0;  ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
-  std::function<void(const PavingProgress&)> progress;
+  std::function<void(const PavingProgress&)> progress;  ///< called now and then, if given
+  double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
 
   void validate(Problems& problems) const;
 };

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
 #include <queue>
 #include <vector>
 
+#include "pkm_workspace/dexterity/running_budget.h"
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/interval/running_bracket.h"
 #include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/region/center_test.h"
-#include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/region/incumbent.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/local_search.h"
 
@@ -71,14 +72,15 @@ private:
   void settle(const Node& node, double size, const Look& look);
   void grow();
   void tryCenter(const Box& centers, double size);
-  bool outOfBudget();
+  std::size_t allowedBoxes() const;
+  void tellProgress();
   void lowerBounds();
   double target() const;
   double upperBound() const;
-  double seconds() const;
-  LargestRegion result(bool done) const;
+  LargestRegion result(bool done);
 
   const RegionQuery& query_;
+  const RunningBudget budget_;
   BoxTest test_;
   CenterSpace space_;
   std::optional<BoxTest> test_across_rails_;  ///< where centers have places: the criterion without joint limits
@@ -89,16 +91,15 @@ private:
   ThreadPool pool_;
   double scale_;     ///< the longest strut [m]
   double accuracy_;  ///< the query's, or the finest that doubles are tried at
-  std::int64_t most_verification_boxes_;
-  Candidate incumbent_;
-  bool found_ = false;            ///< whether the incumbent is more than what was known
+  Incumbent incumbent_;
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
   double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
   std::priority_queue<Node> open_;
   std::int64_t boxes_ = 0;
-  std::int64_t verification_boxes_ = 0;
-  std::chrono::steady_clock::time_point begin_;
+  const bool is_part_;       ///< of a search over machines, which ends it soon
+  std::int64_t checkpoint_;  ///< boxes after which the bounds of open boxes are lowered next
+  RunningBracket bracket_;   ///< of the size
+  Pace pace_;
   Eigen::Vector3d zero_;
-  double next_progress_ = 0.1;
 };
 }  // namespace pkm_workspace

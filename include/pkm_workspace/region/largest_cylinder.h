@@ -10,7 +10,6 @@ namespace pkm_workspace
 ///
 /// A cylinder of ratio a and height H contains one of ratio rho and height min(H, a H / rho). So where none of ratio
 /// rho is higher than u, no ratio in [lower, upper] gives a volume above pi u^3 max(upper^2, rho^3 / lower).
-/// @return the region as of its shape, the cylinder of the ratio found; its size_upper_bound is the height at which
-/// such a cylinder would have a volume that no ratio of the range allows for
+/// @return the region as of its shape, the cylinder of the ratio found
 LargestRegion findLargestCylinder(const Machine& machine, const RegionQuery& query);
 }  // namespace pkm_workspace

@@ -10,16 +10,20 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/pace.h"
 #include "pkm_workspace/region/joint_ranges.h"
 #include "pkm_workspace/region/shape.h"
 
 namespace pkm_workspace
 {
-/// How far a computation has come; sizes as in LargestRegion.
+/// How far a computation has come; sizes and volumes as in LargestRegion. Brackets only get narrower: of sizes, where
+/// the ratio is free of volumes (the height may get less when a wider cylinder has the larger volume).
 struct RegionProgress
 {
   double size = 0.0;
   double size_upper_bound = 0.0;
+  double volume = 0.0;
+  double volume_upper_bound = 0.0;
   std::int64_t boxes_done = 0;
   std::int64_t boxes_open = 0;
   double seconds = 0.0;
@@ -38,11 +42,14 @@ struct RegionQuery
   ShapePtr shape = makeCube();
   std::optional<RatioRange> ratio;  ///< of a cylinder whose ratio is free: then the largest volume counts
   Criterion criterion;
-  double accuracy = 1e-3;  ///< wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0
+  /// Wanted: size_upper_bound - size [m, or the unit of the shape's size]; > 0. Of a free ratio: that no volume is
+  /// above that of the cylinder found if its height, at the same ratio, were larger by this.
+  double accuracy = 1e-3;
   Precision precision = Precision::DOUBLE;
   std::optional<Box> search_box;                        ///< bounds the center [m]; a side may have zero width
   Budget budget;                                        ///< max_boxes counts boxes of centers
-  std::function<void(const RegionProgress&)> progress;  ///< called about ten times a second, if given
+  std::function<void(const RegionProgress&)> progress;  ///< called now and then, if given
+  double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
 
   void validate(Problems& problems) const;
 };
@@ -60,16 +67,21 @@ struct LargestRegion
 {
   enum class Status
   {
-    PROVEN,   ///< size_upper_bound - size <= accuracy
+    PROVEN,   ///< the bracket is as narrow as the accuracy
     STOPPED,  ///< a budget, the stop flag or the precision ended the search; the bracket holds all the same
-    NONE,     ///< no region of size >= accuracy exists, proved; size is 0
+    NONE,     ///< no region of size >= accuracy exists, of a free ratio: of the largest one's volume at it; size is 0
   };
 
   Status status = Status::STOPPED;
   ShapePtr shape;                                    ///< the query's, or the cylinder of the ratio that was found
+  std::optional<RatioRange> ratio;                   ///< the query's: then the bracket is that of the volume
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< [m], in the machine's root frame; meaningless when size is 0
   double size = 0.0;                                 ///< certified: c + size K satisfies the criterion
-  double size_upper_bound = 0.0;           ///< certified: no such region is larger, anywhere in the search box
+  /// Certified: no such region is larger, anywhere in the search box. Of a free ratio: no cylinder is higher, whatever
+  /// its ratio; the cylinder of the largest volume may be far below.
+  double size_upper_bound = 0.0;
+  double volume = 0.0;                     ///< of the region, rounded down [m^3]; 0 when it is flat
+  double volume_upper_bound = 0.0;         ///< certified: no such region has a larger one, whatever its ratio [m^3]
   std::array<JointRange, 3> joint_ranges;  ///< over the region; meaningless when size is 0
   std::int64_t boxes = 0;                  ///< boxes of centers looked at
   std::int64_t verification_boxes = 0;     ///< boxes looked at in proving regions
@@ -77,7 +89,8 @@ struct LargestRegion
   std::string message;  ///< one sentence: what ended the search, what to do about it
 };
 
-/// Sets status and message by the bounds. @param ended_by what ended the search early, if anything: Budget::endedBy()
+/// Sets status, message and, unless the ratio is free, the volumes by the bounds.
+/// @param ended_by what ended the search early, if anything: Budget::endedBy()
 void conclude(LargestRegion& region, double accuracy, const std::string& ended_by);
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound

@@ -26,7 +26,8 @@ struct StudyQuery
   MachineFamily family;
   Interval range;      ///< of the parameter [the family's unit]
   RegionQuery region;  ///< its accuracy and budget are for the whole study; its progress is not called
-  std::function<void(const StudyProgress&)> progress;  ///< called about ten times a second, if given
+  std::function<void(const StudyProgress&)> progress;  ///< called now and then, if given
+  double progress_period = PROGRESS_PERIOD;            ///< [s], >= 0
 
   void validate(Problems& problems) const;
 };
