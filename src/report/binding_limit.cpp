@@ -98,7 +98,7 @@ std::string jointPhrase(const Leg& leg, const Limit& limit, const Relation& rela
 std::string aspectPhrase(const Relation& relation)
 {
   if (relation.is_violated)
-    return "det A has the sign of the other aspect, beyond a parallel singularity";
+    return "det A has the wrong sign for this aspect, beyond a parallel singularity";
   return phrase("det A over the product of the struts' lengths, with the sign of the aspect,", "is", "0", relation);
 }
 

@@ -88,7 +88,7 @@ void expectTrue(const Limit& limit, const Machine& machine, const Oracle& oracle
 {
   const std::string text = describe(limit, machine);
   SCOPED_TRACE(text);
-  if (text == "det A has the sign of the other aspect, beyond a parallel singularity")
+  if (text == "det A has the wrong sign for this aspect, beyond a parallel singularity")
   {
     EXPECT_LT(oracle.valueOf(limit, point), 0);
     return;

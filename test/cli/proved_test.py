@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every sentence of pkm that says 'proved', on seeded machines, against the oracle; and that the oracle objects."""
+
+import random
+import re
+import unittest
+from types import SimpleNamespace
+
+import sentences
+from crooked import crooked
+from oracle import Machine
+from pkm import CommandTest, run
+from reasons import Wrong
+
+SEED = 20261126
+SHAPES = (("cube", ), ("square", ), ("box", "--proportions", 2, 1, 1), ("sphere", ), ("disc", ),
+          ("cylinder", "--ratio", 0.4, 0.6), ("cylinder", "--ratio", 0.5, 0.5))
+
+
+def times(prefix, factor):
+    """Multiplies the number after what the expression matches."""
+    pattern = re.compile(f"({prefix})(-?[\\d.]+(?:e[-+]?\\d+)?)")
+    return lambda text: pattern.sub(lambda found: found[1] + format(float(found[2]) * factor, ".9g"), text, count=1)
+
+
+def instead(old, new):
+    return lambda text: re.sub(old, new, text, count=1)
+
+
+# claim: what makes it wrong
+WRONG = {
+    "largest": (times(r"dimensions +(?:0\.0+ x )?", 1.5), times(r"center +\(", 99),
+                times(r"of\s+a\s+size\s+above\s+", 0.7)),
+    "status": (instead("proven", "none"), ),
+    "box inside": (times(r"sides\s+\(", 9), ),
+    "remark": (instead(r"all\s+rails\s+stay\s+within\s+their\s+limits|Joint limits are off: ([^.]|\.\d)*\.",
+                       "'rail_1' would leave its upper limit, 0.2 m, by at least 99 m"), ),
+    "bad point": (instead(r"(bad point +)\(.*\)", r"\1(GOOD)"), instead(r"is\s+not\s+(\w+) (.*?): [^;]*(;|\.\s+D)",
+                                                                         r"is not \1 \2: it is ugly\3")),
+    "singular point": (instead(r"(bad point +)\(.*\)", r"\1(GOOD)"), times(r"no\s+further\s+than\s+", 1e12)),
+    "centers": (instead(r"(all|none) are proved to", "some are proved to, and some not to,"), ),
+    "path inside": (instead(r"transmission\s+factors\s+in\s+\[[\d.]+", "transmission factors in [0.999"), ),
+    "path leaves": (times("t = ", 0.9), times("t = ", 1.1),
+                    times("factor\\s+(?:reaches|is\\s+above|is\\s+below)\\s+", 2)),
+    "volume": (times("have an? (?:volume|area) of ", 3), ),
+    "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"), times(r"\|eta\| \[m\] (?=0\.\d*[1-9])", 2)),
+    "study": (times(r"edge \[m\] +[\d.]+ to ", 0.8), times(r"edge \[m\] +", 1.2)),
+    "comparison": (times(r"cube: edge \[m\] +\w+ +", 1.3), times(r"volume for these strokes \[m\^3\] +\w+ +", 9)),
+    "evaluation": (instead("yes", "no"), instead(r"no \(", "yes (")),
+}
+
+
+class Proved(CommandTest):
+    seen, caught = set(), set()  # claims, and the wrong versions of them that were refuted: (claim, number)
+
+    def setUp(self):
+        super().setUp()
+        self.rng = random.Random(SEED)
+        length = self.rng.uniform(0.2, 2)
+        lam = self.rng.uniform(0, 0.1)
+        self.urdfs = {"orthoglide": self.text("urdf", "--machine", "orthoglide", "--length", length),
+                      "uranesx": self.text("urdf", "--machine", "uranesx", "--lambda", lam),
+                      "crooked": crooked(self.rng), "crooked too": crooked(self.rng)}
+        self.machines = {name: Machine(text) for name, text in self.urdfs.items()}
+        self.files = {name: self.file(name + ".urdf", text) for name, text in self.urdfs.items()}
+
+    def case(self, text, words, **more):
+        return SimpleNamespace(text=text, words=[str(word) for word in words], rng=self.rng, **more)
+
+    def held(self, name, *words, machine=None, **more):
+        """The text of pkm, all of whose sentences the oracle agrees with."""
+        file = ("--urdf", self.files[name]) if name else ()
+        process = run(*words[:1], *file, *words[1:])
+        self.assertEqual(process.returncode, 0, process.stderr)
+        case = self.case(process.stdout, words, machine=machine or self.machines.get(name), **more)
+        with self.subTest(machine=name, words=words):
+            names = sentences.check(case)
+            self.assertTrue(names, process.stdout)
+            for claim in names:
+                self.refuted(claim, case)
+        return process.stdout
+
+    def refuted(self, claim, case):
+        """Looks whether wrong versions of the text make the oracle object."""
+        self.seen.add(claim)
+        for k, spoil in enumerate(WRONG.get(claim, ())):
+            text = spoil(case.text).replace("(GOOD)", "({}, {}, {}) m".format(*self.good_point(case)))
+            if text != case.text and (claim, k) not in self.caught:
+                try:
+                    sentences.check(SimpleNamespace(**{**vars(case), "text": text}))
+                except Wrong:
+                    self.caught.add((claim, k))
+
+    def good_point(self, case):
+        leg = case.machine.legs[float][0]
+        return [x + y for x, y in zip(leg.c, leg.zero)]
+
+
+    def accuracy(self, name, share=0.02):
+        return round(share * self.machines[name].span, 6)
+
+    def test_largest(self):
+        for name in self.urdfs:
+            for shape in SHAPES:
+                self.held(name, "largest", "--shape", *shape, "--accuracy", self.accuracy(name), "--max-boxes", 3000)
+
+    def test_largest_elsewhere(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            box = [x + side for x in center for side in (0, 0.3 * self.machines[name].span)]
+            accuracy = ("--accuracy", self.accuracy(name))
+            self.held(name, "largest", "--center", *center, *accuracy)
+            self.held(name, "largest", "--search-box", *box, "--shape", "disc", *accuracy)
+            self.held(name, "largest", "--psi-max", 1.05, "--psi-min", 0.96, *accuracy)
+            self.held(name, "largest", "--psi-max", 1.0001, "--psi-min", 0.9999, *accuracy)
+
+    def box_words(self, name, share):
+        """A box about a good point, with sides of about this share of a strut."""
+        span = self.machines[name].span
+        center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+        return ("--center", *(x + self.rng.uniform(-0.05, 0.05) * span for x in center), "--sides",
+                *(self.rng.uniform(0.8, 1.2) * share * span for _ in range(3)))
+
+    def test_boxes(self):
+        for name in self.urdfs:
+            for share in (0.1, 0.25, 0.4, 0.7, 2):
+                for more in ((), ("--joint-limits", "off"), ("--set", "reachable", "--aspect", "both")):
+                    self.held(name, "check", *self.box_words(name, share), *more)
+            words = ("--psi-min", 0.7, "--psi-max", 1.4)
+            self.held(name, "check", *self.box_words(name, 0.3), *words)
+
+    def test_boxes_of_one_aspect(self):
+        """Also those that meet a sphere where two struts are one."""
+        for name in self.urdfs:
+            for share in (0.3, 1.5):
+                for aspect in ("own", "other"):
+                    self.held(name, "check", *self.box_words(name, share), "--set", "reachable", "--aspect", aspect)
+        length = self.machines["orthoglide"].span
+        self.held("orthoglide", "check", "--center", *[0.55 * length] * 3, "--sides", *[0.3 * length] * 3, "--set",
+                  "reachable", "--aspect", "own", "--joint-limits", "off")
+
+    def test_centers(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            span = self.machines[name].span
+            for around, side in ((0.01, 0.1), (0.4, 0.2), (0.1, 1.5)):
+                box = [x + end * around * span for x in center for end in (-1, 1)]
+                self.held(name, "check", "--centers", *box, "--sides", *[side * span] * 3)
+
+    def path_words(self, name, points):
+        kinds = ["start"] + ["line"] * (len(points) - 1)
+        return [word for kind, point in zip(kinds, points)
+                for word in ("--segment", " ".join(map(str, (kind, *point))))]
+
+    def test_paths(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            for width in (0.1, 0.5, 0.8, 0.8, 3):
+                spread = width * self.machines[name].span
+                points = [center] + [[x + self.rng.uniform(-spread, spread) for x in center] for _ in range(3)]
+                self.held(name, "path", *self.path_words(name, points))
+                self.held(name, "path", *self.path_words(name, points), "--joint-limits", "off")
+                self.held(name, "path", *self.path_words(name, points[::-1]))
+
+    def test_a_path_that_touches(self):
+        points = ((-0.079970593403865281, -0.22351999604761633, 0.18342168780574239),
+                  (0.8108995385756147, -0.37194738107784847, -0.8025565924266686))
+        self.urdfs["unit"] = self.text("urdf", "--machine", "orthoglide")
+        self.files["unit"], self.machines["unit"] = self.machine("--machine", "orthoglide"), Machine(self.urdfs["unit"])
+        self.held("unit", "path", *self.path_words("unit", points), "--psi-min", 0.7974806294181559)
+
+    def test_volumes(self):
+        for name in self.urdfs:
+            for more in ((), ("--aspect", "other"), ("--set", "reachable", "--aspect", "both")):
+                self.held(name, "pave", "--resolution", self.accuracy(name, 0.1), *more)
+
+    def test_singularities(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            small = ("--shape", "cube", "--center", *center, "--size", 0.2 * self.machines[name].span)
+            endless = () if name == "uranesx" else (("--joint-limits", "off"), )
+            for words in ((), small, ("--aspect", "own"), ("--max-boxes", 1), *endless):
+                self.held(name, "singularities", *words)
+
+    def test_points(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            for width in [0.1, 0.3, 0.6, 1.0] * 3:
+                spread = width * self.machines[name].span
+                self.held(name, "evaluate", "--point", *[x + self.rng.uniform(-spread, spread) for x in center])
+
+    def family(self, parameter):
+        return Machine(self.text("urdf", "--machine", "uranesx", "--rail-radius", float(parameter) + 0.125,
+                                 "--platform-radius", 0.125))
+
+    def test_study(self):
+        words = ("--machine", "uranesx", "--parameter", "R-r", "--shape", "square", "--accuracy", 0.05)
+        self.held(None, "study", *words, "--range", 0.35, 0.5, family=self.family,
+                  machine=self.family(0.35))
+        self.held(None, "study", *words, "--range", 0.8, 0.9, "--psi-max", 1.1, "--psi-min", 0.9, family=self.family,
+                  machine=self.family(0.8))
+
+    def test_comparison(self):
+        names = ("orthoglide", "crooked")
+        words = ("--shape", "cube", "--accuracy", 0.01)
+        largest = {name: self.text("largest", "--urdf", self.files[name], *words) for name in names}
+        files = [word for name in names for word in ("--urdf", self.files[name])]
+        self.held(None, "compare", *files, *words, machines=self.machines, largest=largest)
+
+    @classmethod
+    def tearDownClass(cls):
+        """After all tests: every claim was met, every kind of wrong one refuted, and 50 digits were enough."""
+        print("seed", SEED)
+        unseen = set(sentences.CLAIMS) - cls.seen - {"nothing"}
+        missed = {(claim, k) for claim, spoils in WRONG.items() for k in range(len(spoils))} - cls.caught
+        if unseen or missed or Machine.undecided:
+            raise AssertionError(f"never met: {unseen}; never refuted: {missed}; undecided points: {Machine.undecided}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every sentence of pkm with the word 'proved', and what holds it against the oracle."""
+
+import re
+
+import claims
+import table_claims
+from claims import BRACKET, QUALITY
+from reasons import N, hold
+
+NO_REGION = (r"no (?P<shape>\w+) (?:of a size above (?P<size>[\d.e+-]+)|with a radius of (?P<from>\S+) to (?P<to>\S+) "
+             r"times its height and a volume above (?P<volume>\S+) m\^3), "
+             r"(?P<where>wherever its center|with this center|with its center in the search box), "
+             rf"has all its points {QUALITY}\.(?: The rails are parallel: the same holds all along them\.)?")
+CENTERS = (r"Of the centers from (?P<lower>\(.*?\)) m to (?P<upper>\(.*?\)) m, (?P<share>some|all|none) are proved to,?"
+           r"(?: and some not to,)? carry a box with sides (?P<sides>\(.*?\)) m\.")
+LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on line '(?P<place>.*?)' \(line\), "
+          r"(?:near|between) t = (?P<t>[\d.e-]+)(?: and t = (?P<upper>[\d.e-]+))? of its way"
+          r"(?:, and is outside at the second of these)?: (?P<reason>.*?)\."
+          r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
+          r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
+STUDY = (r"Proved: (?:(?P<none>no machine of the range has a \w+ of a size above the upper bound\.)|the machine with "
+         r"this parameter has the \w+ with this center and the lower size; no machine of the range has one above the "
+         r"upper bound; and only where it is said above may a machine have one that is larger than the lower size\.)")
+
+# name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
+CLAIMS = {
+    "largest": (rf"Proved: (?P<first>every point of the \w+ with this center and size is {QUALITY}; )?" + NO_REGION,
+                claims.largest),
+    "status": (r"status +((?:proven|none) \((?:proved to the accuracy asked for|no region (?:as large as the accuracy|"
+               r"of any size) exists where the center may lie, proved)\))", table_claims.status),
+    "box inside": (rf"Proved: every point of the box is {QUALITY}\.", claims.box_inside),
+    "remark": (rf"Proved: every point of the box is {QUALITY}\. (?P<remark>Joint limits are off: .*)", claims.remark),
+    "bad point": (rf"Proved: the bad point lies in the box and is not {QUALITY}: (?P<reasons>.*)\.", claims.bad_point),
+    "singular point": (r"Proved: no further than (?P<within>\S+) m from the bad point the box has a point where two "
+                       r"struts are one vector, so that det A is 0: a parallel singularity, which belongs to no "
+                       r"aspect\.", claims.singular_point),
+    "centers": (CENTERS, claims.shares),
+    "path inside": (r"Proved: every point of the path is in the set\.(?: Joint limits are off: .*)?",
+                    claims.path_inside),
+    "path leaves": (LEAVES, claims.path_leaves),
+    "volume": (rf"Proved: the points of the box that are {QUALITY} have an? (?P<measure>\w+) of "
+               rf"(?P<bracket>{BRACKET}) m\^[23]\.(?: The rails are parallel: the box is flat, across the axis they "
+               r"run along, and in every plane parallel to it the area is the same\.)?(?: Ended early by .*)?",
+               claims.volume),
+    "singularities": (rf"(?:Proved by interval analysis: none, or one within a box around the point that is told\.|"
+                      rf"Undecided where .*; the rest is proved\.) {N}.*", table_claims.singularities),
+    "study": (STUDY, table_claims.study),
+    "comparison": (r"Largest (?P<shape>\w+) of machine '(?P<name>.*)': proved to the accuracy asked for\.",
+                   table_claims.comparison),
+    "evaluation": (r"(?P<what>within reach|dextrous|reachable|own aspect) +(?P<answer>yes|no) \(proved\)",
+                   table_claims.evaluated),
+    "nothing": (r"Neither is proved: .*|Not decided .* Nothing that was looked at is proved to be outside\..*|"
+                r"Joint limits are off: whether all rails stay within their limits is not proved\.", None),
+}
+STARTS = ("Proved", "Dextrous:", "Reachable:", "Joint limits", "Largest", "Of the", "Neither", "Undecided", "  ")
+
+
+def sentences(text):
+    """Paragraphs and rows of tables with the word 'proved', each in one line."""
+    blocks = []
+    for line in text.splitlines():
+        if not blocks or not line or line.startswith(STARTS):
+            blocks.append("")
+        blocks[-1] += " " + line
+    return [" ".join(block.split()) for block in blocks if re.search("proved", block, re.I)]
+
+
+def check(case):
+    """Holds all sentences of the text of a case against the oracle. @return the names of the claims"""
+    case.criterion = claims.criterion_of(case.text)
+    names = []
+    for sentence in sentences(case.text):
+        for name, (pattern, holds) in CLAIMS.items():
+            match = re.fullmatch(pattern, sentence)
+            if match:
+                if holds:
+                    holds(case, match)
+                names.append(name)
+                break
+        else:
+            hold(False, "no pattern knows the sentence:", sentence)
+    return names
