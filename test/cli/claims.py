@@ -86,6 +86,9 @@ def largest(case, match):
         at = case.words.index("--search-box") + 1
         ends = [float(x) for x in case.words[at:at + 6]]
         centers = [[case.rng.uniform(ends[k], ends[k + 1]) for k in (0, 2, 4)] for _ in range(20)]
+    if "--ratio" in case.words:
+        ends = case.words[case.words.index("--ratio") + 1:][:2]
+        hold(match["volume"] or ends[0] == ends[1], "of free ratios a higher cylinder may be the smaller one")
     if match["size"]:
         hold(not found or float(match["size"]) >= size, "the bound is below the size")
         if size == 0:  # less than the digits that are printed

@@ -53,9 +53,11 @@ WRONG = {
 
 class Proved(CommandTest):
     seen, caught = set(), set()  # claims, and the wrong versions of them that were refuted: (claim, number)
+    begun = set()
 
     def setUp(self):
         super().setUp()
+        self.begun.add(self.id())
         self.rng = random.Random(SEED)
         length = self.rng.uniform(0.2, 2)
         lam = self.rng.uniform(0, 0.1)
@@ -214,7 +216,8 @@ class Proved(CommandTest):
         print("seed", SEED)
         unseen = set(sentences.CLAIMS) - cls.seen - {"nothing"}
         missed = {(claim, k) for claim, spoils in WRONG.items() for k in range(len(spoils))} - cls.caught
-        if unseen or missed or Machine.undecided:
+        is_all = len(cls.begun) == len(unittest.defaultTestLoader.getTestCaseNames(cls))
+        if is_all and (unseen or missed) or Machine.undecided:
             raise AssertionError(f"never met: {unseen}; never refuted: {missed}; undecided points: {Machine.undecided}")
 
 
