@@ -234,7 +234,8 @@ void Paver::report(const Level& level, const Counts& sum)
   const Interval undecided = tree.volume(CellState::BOUNDARY) + tree.volume(CellState::PENDING) +
                              volume(level.size - sum.inside - sum.outside);
   told_.volume_inside = std::max(told_.volume_inside, (1.0 - ORDER) * inside.lower());
-  told_.volume_boundary = std::min(told_.volume_boundary, (1.0 + ORDER) * undecided.upper());
+  told_.volume_boundary =
+      std::min(told_.volume_boundary, (1.0 + ORDER) * undecided.upper() + 4.0 * ORDER * inside.upper());
   told_.boxes = paving_.boxes_here + static_cast<std::int64_t>(sum.looked);
   told_.seconds = seconds();
   query_.progress(told_);

@@ -254,7 +254,7 @@ TEST_F(PavingFile, isReplacedAsAWholeOrNotAtAll)
     test::expectThrow<std::invalid_argument>([&] { checkWritable(path); }, pattern);
   };
   refuses((folder_ / "none" / "it").string(), "none/it: cannot be written: No such file");
-  refuses((folder_ / "sub").string(), "sub: cannot be written: it is not a regular file");
+  refuses((folder_ / "sub").string(), "sub: cannot be written: it is a folder, not a regular file; name a file in it");
   refuses("/dev/null", "/dev/null: cannot be written: it is not a regular file");
   test::expectThrow<std::invalid_argument>([&] { loadPavings("/dev/zero", orthoglide(), {}); }, "not a regular file");
   test::expectThrow<std::invalid_argument>([&] { loadPavings((folder_ / "x").string(), orthoglide(), {}); },

@@ -151,7 +151,7 @@ TEST(BestParameter, allThatIsWrongIsTold)
   for (const char* problem : { "family of machines", "range of the parameter", "one ratio", "accuracy = 0" })
     test::expectThrow<std::invalid_argument>([&] { findBestParameter(query); }, problem);
   test::expectThrow<std::invalid_argument>([&] { findBestParameter(squares(0.5, 1.5, 1e-3)); },
-                                           R"(R - r = \[1, 1\] m must lie)");
+                                           R"(R - r = \[1.*\] m must lie)");
   test::expectThrow<std::invalid_argument>([&] { bestOfParts(squares(0.4, 0.5, 1e-3), 0); }, "1 part or more");
 }
 
