@@ -17,12 +17,12 @@ namespace
 {
 using Eigen::Vector3d;
 using Form = AffineForm<double>;
+using Spheres = std::vector<StrutSphere>;
 
 constexpr double INF = std::numeric_limits<double>::infinity();
 /// The measures: eta_i^2 for i = 0, 1, 2, then det A.
 constexpr std::size_t PARALLEL = 3;
-/// Size of the box around a singularity that is looked for, in struts.
-constexpr double FINE = 1e-6;
+constexpr double FINE = 1e-6;  ///< size of the box around a singularity that is looked for, in struts
 /// How much larger, on each side, a box is made to find a zero on its faces: share of its widths.
 constexpr double MARGIN = 0.125;
 /// Where a line is divided in search of a zero; the second place is for a zero at the first.
@@ -74,10 +74,9 @@ struct Look
 class LeastMeasure
 {
 public:
-  /// @param sure the model whose limits hold where a point counts for certain; nothing where none does
-  /// @param spheres where det A is zero, too, maybe without changing its sign
+  /// @param sure see sureModel() @param spheres where det A is zero, too, maybe without changing its sign
   LeastMeasure(const MachineModel<double>& model, const std::optional<MachineModel<double>>& sure,
-               const SingularityQuery& query, std::size_t measure, const std::vector<StrutSphere>& spheres)
+               const SingularityQuery& query, std::size_t measure, const Spheres& spheres)
     : model_(model)
     , sure_(sure)
     , query_(query)
@@ -288,12 +287,11 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
   const std::optional<MachineModel<double>> sure = sureModel(machine, criterion, query);
   const Box root = query.box ? *query.box : workspaceBounds(machine, criterion);
   Singularities result;
-  const std::vector<StrutSphere> spheres = strutSpheres(machine);
+  const Spheres spheres = strutSpheres(machine);
   ThreadPool pool(query.budget.threads, 0.0);
   pool.forEach(PARALLEL + 1, [&](std::size_t measure) {
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
-    const std::vector<StrutSphere> none;
-    answer = LeastMeasure(model, sure, query, measure, measure == PARALLEL ? spheres : none).run(root);
+    answer = LeastMeasure(model, sure, query, measure, measure == PARALLEL ? spheres : Spheres()).run(root);
   });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

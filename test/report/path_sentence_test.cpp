@@ -71,10 +71,10 @@ TEST(PathSentence, saysWhyNothingIsDecided)
   query.max_looks = 50;
   query.looks_per_piece = 0;
   const std::vector<PathSegment> path(300, line(0.001));
-  expectSays(
-      sentenceOf(path, {}, query),
-      "Not decided on segment [0-9]+, between t = 0\\.0+ and t = 1\\.0+ of its way, because [0-9]+ looks were not enough "
-      "\\(max_looks\\)\\. Nothing that was looked at is proved to be outside\\.");
+  expectSays(sentenceOf(path, {}, query),
+             "Not decided on segment [0-9]+, between t = 0\\.0+ and t = 1\\.0+ of its way, because [0-9]+ looks were "
+             "not enough "
+             "\\(max_looks\\)\\. Nothing that was looked at is proved to be outside\\.");
   const std::atomic<bool> stop(true);
   query.stop = &stop;
   expectSays(sentenceOf(path, {}, query), "Not decided on segment 0, .* because it was stopped\\. .*");

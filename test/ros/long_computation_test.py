@@ -32,7 +32,8 @@ def wait_until(condition):
 def ask_for_the_endless():
     compute = service("compute_largest_region", ComputeLargestRegion)
     with contextlib.suppress(rospy.ServiceException):  # the node may end before it has answered
-        compute(RegionRequest(shape="sphere", accuracy=1e-14, criterion=CriterionRequest(joint_limits=CriterionRequest.ON)))
+        limits = CriterionRequest(joint_limits=CriterionRequest.ON)
+        compute(RegionRequest(shape="sphere", accuracy=1e-14, criterion=limits))
 
 
 def ask_for_the_endless_mean():
