@@ -104,7 +104,7 @@ const BadRequest BAD_REQUESTS[] = {
       q.use_search_box = true;
       q.max_corner.x = 1e10;
     },
-    "max_corner = \\(1e\\+10, 0, 0\\) m must be finite, within 1e9 m" },
+    "max_corner = \\(10000000000, 0, 0\\) m must be finite, within 1e9 m" },
   { "half a ratio",
     [](auto& q) {
       q.shape = "cylinder";
