@@ -58,7 +58,7 @@ class Evaluate(CommandTest):
         self.assertIs(answer["within_reach"], True)
         self.assertIs(answer["aspect_ok"], False)
         self.assertIs(answer["dextrous"], False)
-        self.assertRegex(answer["message"], "not dextrous in the machine's own aspect: det A has the sign of the other")
+        self.assertRegex(answer["message"], "not dextrous in the machine's own aspect: det A has the wrong sign")
 
     def test_within_reach_and_reachable_are_two_things(self):
         point = (-0.546, -0.546, -0.546)
