@@ -173,7 +173,7 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
   bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
-  const std::string text = range.joint + "\nDelta rho\n<= " + digits(range.stroke_upper_bound, roundedUp) + " m";
+  const std::string text = range.joint + "\nDelta rho\nat most\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
   scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
 }
 }  // namespace
