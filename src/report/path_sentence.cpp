@@ -71,7 +71,7 @@ private:
     const bool is_long = leaves && last.last - last.first > SHORT;
     return std::string("Proved: the path ") + (leaves ? "leaves the set " : "is outside the set ") +
            where(offence, text(leaves ? last : PathPart{ last.last, last.last })) +
-           (is_long ? ", and is outside at the second of these" : "") + ": " + describe(offence.limit, machine_) + ".";
+           (is_long ? ", and is outside somewhere between these" : "") + ": " + describe(offence.limit, machine_) + ".";
   }
 
   std::string undecided(const PathOffence& offence) const

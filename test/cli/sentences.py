@@ -16,7 +16,7 @@ CENTERS = (r"Of the centers from (?P<lower>\(.*?\)) m to (?P<upper>\(.*?\)) m, (
            r"(?: and some not to,)? carry a box with sides (?P<sides>\(.*?\)) m\.")
 LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on line '(?P<place>.*?)' \(line\), "
           r"(?:near|between) t = (?P<t>[\d.e-]+)(?: and t = (?P<upper>[\d.e-]+))? of its way"
-          r"(?:, and is outside at the second of these)?: (?P<reason>.*?)\."
+          r"(?:, and is outside somewhere between these)?: (?P<reason>.*?)\."
           r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
           r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
 STUDY = (r"Proved: (?:(?P<none>no machine of the range has a \w+ of a size above the upper bound\.)|the machine with "
