@@ -19,14 +19,15 @@ namespace test
 const ros::Duration PATIENCE(60.0);
 const std::string NODE = "/pkm_workspace_node";
 
-/// Calls a service of the node, once it is there.
+/// Calls a service of the node, once it is there. Over a persistent connection: without one, roscpp drops an answer now
+/// and then (ros_comm issue 1976, README.md).
 template <class Service>
 typename Service::Response call(const std::string& name, const typename Service::Request& request)
 {
   typename Service::Response response;
   EXPECT_TRUE(ros::service::waitForService(NODE + "/" + name, PATIENCE)) << name << " is not offered";
   ros::NodeHandle node;
-  auto client = node.serviceClient<Service>(NODE + "/" + name);
+  auto client = node.serviceClient<Service>(NODE + "/" + name, true);
   EXPECT_TRUE(client.call(const_cast<typename Service::Request&>(request), response)) << name << " did not answer";
   return response;
 }
