@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <deque>
+#include <variant>
+
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -26,6 +29,36 @@ const char* name(PathResult::End end)
   constexpr const char* NAMES[] = { "complete", "looks", "stopped" };  // as PathResult::End
   return NAMES[static_cast<std::size_t>(end)];
 }
+
+/// A SegmentCheck in few bytes: a path may have millions of them.
+class KeptCheck
+{
+public:
+  explicit KeptCheck(const SegmentCheck& check)
+  {
+    if (check.motion)
+      found_ = *check.motion;
+    else
+      found_ = Open{ check.verdict, check.good_until, check.bad_at };
+  }
+
+  SegmentCheck check() const
+  {
+    if (const auto* const motion = std::get_if<PathMotion>(&found_))
+      return { Containment::INSIDE, 1.0, std::nullopt, *motion };
+    const Open& open = std::get<Open>(found_);
+    return { open.verdict, open.good_until, open.bad_at, std::nullopt };
+  }
+
+private:
+  struct Open
+  {
+    Containment verdict;
+    double good_until;
+    std::optional<double> bad_at;
+  };
+  std::variant<PathMotion, Open> found_;
+};
 
 class Path : public Command
 {
@@ -71,10 +104,7 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    query_.stop = stopOnSignalOrAfter(time_limit_);
-    const Progress progress(progress_);
-    result_ = checkPath(machine, criterion_, path_.segments(), query_);
-    const PathResult& result = result_;
+    const PathResult result = check();
     Json json = contextOf(machine, criterion_);
     json["verdict"] = cli::name(result.verdict);
     json["tool_speed"] = query_.tool_speed;
@@ -83,26 +113,42 @@ public:
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? toJson(*result.motion) : Json();
     if (result.motion && !criterion_.joint_limits)
-      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOf(result)));
+      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reach_));
     json["message"] = message(result);
     Answer answer{ json, print(result) };
     answer.long_members["segments"] = [this](std::ostream& out) {
       writeList(
-          result_.segments.size(), [this](std::size_t i) { return segmentOf(result_.segments[i], path_.place(i)); }, 2,
-          out);
+          checks_.size(), [this](std::size_t i) { return segmentOf(checks_[i].check(), path_.place(i)); }, 2, out);
     };
     return answer;
   }
 
 private:
+  PathResult check()
+  {
+    const PointEvaluator evaluator(machine_.machine(), criterion_);
+    query_.stop = stopOnSignalOrAfter(time_limit_);
+    const Progress progress(progress_);
+    PathReach reach(machine_.machine());
+    PathChecker checker(evaluator, query_, [this](const SegmentCheck& check) { checks_.emplace_back(check); });
+    path_.handOver([&](const PathSegment& segment) {
+      checker.add(segment);
+      reach.add(segment);
+    });
+    const PathResult result = checker.finish();
+    if (result.motion)
+      reach_ = reach.over(*result.motion);
+    return result;
+  }
+
   void finishPath(Problems& problems)
   {
-    const bool has_lines = !path_.segments().empty();
+    const bool has_lines = path_.size() > 0;
     if (!file_.empty() && has_lines)
       problems.push_back("the path is given twice");
     else if (!file_.empty())
       path_.readFile(file_, problems);
-    if (problems.empty() && path_.segments().empty())
+    if (problems.empty() && path_.size() == 0)
       problems.push_back("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least");
   }
 
@@ -117,7 +163,7 @@ private:
 
   Json firstOf(const PathResult& result) const
   {
-    Json json = segmentOf(result.segments[result.first->segment], path_.place(result.first->segment));
+    Json json = segmentOf(checks_[result.first->segment].check(), path_.place(result.first->segment));
     json.erase("motion");
     json["open"] = Json::array();
     for (const PathPart& part : result.first->open)
@@ -128,20 +174,12 @@ private:
     return json;
   }
 
-  JointReaches reachOf(const PathResult& result) const
-  {
-    PathReach reach(machine_.machine());
-    for (const PathSegment& segment : path_.segments())
-      reach.add(segment);
-    return reach.over(*result.motion);
-  }
-
   std::string message(const PathResult& result) const
   {
     std::string text =
         describe(result, machine_.machine(), [this](std::size_t segment) { return path_.place(segment); });
     if (result.motion && !criterion_.joint_limits)
-      text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reachOf(result)));
+      text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reach_));
     if (result.verdict == Containment::UNDECIDED && isTimeOver())
       text += " Here " + timeIsOver(time_limit_) + ".";
     return text;
@@ -160,8 +198,8 @@ private:
         rows.push_back({ "speed of '" + joint + "'", "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
       }
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
-    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(result.segments.size()) +
-           " segments\n\n" + aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
+    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) + " segments\n\n" +
+           aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
            wrapped(definition(machine_.machine(), criterion_));
   }
 
@@ -173,7 +211,8 @@ private:
   std::string file_;
   double time_limit_;
   bool progress_ = false;
-  PathResult result_;
+  std::deque<KeptCheck> checks_;  ///< one for each segment
+  JointReaches reach_;            ///< of a path that is inside
 };
 }  // namespace
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_text.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "pkm_workspace/whole_file.h"
@@ -20,6 +22,15 @@ struct Kind
 };
 constexpr Kind KINDS[] = {
   { "start", 3 }, { "line", 3 }, { "arc", 6 }, { "turn", 9 }, { "circle", 6 }, { "helix", 8 }
+};
+enum  // as KINDS
+{
+  START,
+  LINE,
+  ARC,
+  TURN,
+  CIRCLE,
+  HELIX
 };
 
 std::size_t findKind(const std::string& name)
@@ -64,8 +75,20 @@ void PathText::readLine(const std::string& line, std::uint32_t source, const std
                                   std::to_string(words.size() - 1));
     if (!has_start_ && words[0] != "start")
       throw std::invalid_argument("a path begins with start X Y Z");
-    add(words[0], readNumbers({ words.begin() + 1, words.end() }, Quantity()));
-    sources_.resize(segments_.size(), { source, static_cast<std::uint8_t>(kind) });
+    const std::vector<double> read = readNumbers({ words.begin() + 1, words.end() }, Quantity());
+    Numbers numbers{};
+    std::copy(read.begin(), read.end(), numbers.begin());
+    has_start_ = true;
+    if (!pen_.draw(kind, numbers))
+      start_ = numbers;
+    else
+    {
+      sources_.push_back({ source, static_cast<std::uint8_t>(kind), start_.has_value() });
+      if (start_)
+        keep(START, *start_);
+      start_.reset();
+      keep(kind, numbers);
+    }
   }
   catch (const std::invalid_argument& reason)
   {
@@ -106,28 +129,48 @@ std::string PathText::place(std::size_t segment) const
          KINDS[source.kind].name + ")";
 }
 
-void PathText::add(const std::string& kind, const std::vector<double>& numbers)
+void PathText::keep(std::size_t kind, const Numbers& numbers)
+{
+  numbers_.insert(numbers_.end(), numbers.begin(), numbers.begin() + KINDS[kind].numbers);
+}
+
+void PathText::handOver(const std::function<void(const PathSegment&)>& take)
+{
+  const auto next = [this](std::size_t kind) {
+    Numbers numbers{};
+    std::copy_n(numbers_.begin(), KINDS[kind].numbers, numbers.begin());
+    numbers_.erase(numbers_.begin(), numbers_.begin() + static_cast<std::ptrdiff_t>(KINDS[kind].numbers));
+    return numbers;
+  };
+  Pen pen;
+  for (const Source& source : sources_)
+  {
+    if (source.is_after_start)
+      pen.draw(START, next(START));
+    take(*pen.draw(source.kind, next(source.kind)));
+  }
+}
+
+std::optional<PathSegment> PathText::Pen::draw(std::size_t kind, const Numbers& numbers)
 {
   const auto vector = [&](std::size_t k) { return Eigen::Vector3d(numbers[k], numbers[k + 1], numbers[k + 2]); };
   const Eigen::Vector3d start = end_;
-  has_start_ = true;
-  if (kind == "helix")
+  if (kind == HELIX)
   {
-    segments_.push_back(PathSegment::arc(start, vector(0), vector(3), numbers[6], numbers[7]));
-    end_ = segments_.back().point(1.0);
+    const PathSegment helix = PathSegment::arc(start, vector(0), vector(3), numbers[6], numbers[7]);
+    end_ = helix.point(1.0);
+    return helix;
   }
-  else if (kind == "circle")
-    segments_.push_back(PathSegment::circle(start, vector(0), vector(3)));
-  else
-  {
-    end_ = vector(numbers.size() - 3);
-    if (kind == "line")
-      segments_.push_back(PathSegment::line(start, end_));
-    else if (kind == "arc")
-      segments_.push_back(PathSegment::arcThrough(start, vector(0), end_));
-    else if (kind == "turn")
-      segments_.push_back(PathSegment::arcTo(start, vector(0), vector(3), end_));
-  }
+  if (kind == CIRCLE)
+    return PathSegment::circle(start, vector(0), vector(3));
+  end_ = vector(KINDS[kind].numbers - 3);
+  if (kind == LINE)
+    return PathSegment::line(start, end_);
+  if (kind == ARC)
+    return PathSegment::arcThrough(start, vector(0), end_);
+  if (kind == TURN)
+    return PathSegment::arcTo(start, vector(0), vector(3), end_);
+  return std::nullopt;
 }
 }  // namespace cli
 }  // namespace pkm_workspace
