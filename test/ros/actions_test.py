@@ -22,7 +22,6 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 NODE = "/pkm_workspace_node"
 PATIENCE = 60.0
-LONG = rospy.Duration(PATIENCE)
 LIMITS = CriterionRequest(joint_limits=CriterionRequest.ON)
 FREE = CriterionRequest(joint_limits=CriterionRequest.OFF)
 # Proofs of round regions to the last digits take thousands of parts each.
@@ -30,18 +29,35 @@ ENDLESS = FindLargestRegionGoal(RegionRequest(shape="sphere", criterion=LIMITS, 
 ENDLESS_PAVING = ApproximateWorkspaceGoal(PavingRequest(criterion=LIMITS, resolution=1e-4, time_limit=86400.0))
 
 
-def client_of(name, kind):
-    client = actionlib.SimpleActionClient(f"{NODE}/{name}", kind)
-    assert client.wait_for_server(LONG), name
-    return client
+class Sender:
+    """Sends one goal: a SimpleActionClient may miss the end of one that ends at once."""
+
+    def __init__(self, name, kind):
+        self.client = actionlib.ActionClient(f"{NODE}/{name}", kind)
+        self.goal = None
+        assert self.client.wait_for_server(rospy.Duration(PATIENCE)), name
+
+    def send_goal(self, goal, feedback_cb=None):
+        self.goal = Goal(self.client, goal, feedback_cb, None)
+
+    def cancel_goal(self):
+        self.goal.cancel_goal()
+
+    def get_state(self):
+        return self.goal.get_state()
+
+    def result(self):
+        """What the goal ends with, once it has ended."""
+        assert self.goal.wait_for_result(PATIENCE)
+        return self.goal.get_result()
 
 
 def finder():
-    return client_of("find_largest_region", FindLargestRegionAction)
+    return Sender("find_largest_region", FindLargestRegionAction)
 
 
 def paver():
-    return client_of("approximate_workspace", ApproximateWorkspaceAction)
+    return Sender("approximate_workspace", ApproximateWorkspaceAction)
 
 
 def service(name, kind):
@@ -64,10 +80,6 @@ class Feedback:
 
 
 class ActionsTest(unittest.TestCase):
-    def finish(self, client):
-        self.assertTrue(client.wait_for_result(LONG))
-        return client.get_result()
-
     def diagnosis(self, question):
         """The status of the last computation, once it is that question."""
         deadline = time.monotonic() + PATIENCE
@@ -85,7 +97,7 @@ class ActionsTest(unittest.TestCase):
     def test_finds_what_the_service_finds(self):
         client = finder()
         client.send_goal(FindLargestRegionGoal(RegionRequest(accuracy=1e-4)))
-        result = self.finish(client)
+        result = client.result()
         self.assertEqual(GoalStatus.SUCCEEDED, client.get_state())
         self.assertEqual(ErrorCode.SUCCESS, result.error_code)
         self.assertEqual(Region.PROVEN, result.region.status)
@@ -99,7 +111,7 @@ class ActionsTest(unittest.TestCase):
         self.assertGreaterEqual(feedback.size_upper_bound, feedback.size)
         self.assertGreater(feedback.boxes_done + feedback.boxes_open, 0)
         client.cancel_goal()
-        result = self.finish(client)
+        result = client.result()
         self.assertEqual(GoalStatus.PREEMPTED, client.get_state())
         self.assertEqual(ErrorCode.SUCCESS, result.error_code)
         self.assertEqual(Region.STOPPED, result.region.status)
@@ -112,29 +124,24 @@ class ActionsTest(unittest.TestCase):
         self.start(running, ENDLESS, lambda message: message.size > 0.0)
         waiting.send_goal(ENDLESS)
         last.send_goal(FindLargestRegionGoal(RegionRequest(accuracy=0.01)))
-        self.assertEqual(Region.STOPPED, self.finish(running).region.status)
+        self.assertEqual(Region.STOPPED, running.result().region.status)
         self.assertEqual(GoalStatus.PREEMPTED, running.get_state())
-        self.finish(waiting)
+        waiting.result()
         self.assertIn(waiting.get_state(), (GoalStatus.PREEMPTED, GoalStatus.RECALLED))
-        self.assertEqual(Region.PROVEN, self.finish(last).region.status)
+        self.assertEqual(Region.PROVEN, last.result().region.status)
         self.assertEqual(GoalStatus.SUCCEEDED, last.get_state())
 
     def test_refuses_bad_goals(self):
-        find = ("find_largest_region", FindLargestRegionAction)
-        pave = ("approximate_workspace", ApproximateWorkspaceAction)
-        for action, goal, message in [
-            (find, FindLargestRegionGoal(RegionRequest(accuracy=-1.0)), "accuracy = -1"),
-            (find, FindLargestRegionGoal(RegionRequest(time_limit=86401.0)),
+        for client, goal, message in [
+            (finder(), FindLargestRegionGoal(RegionRequest(accuracy=-1.0)), "accuracy = -1"),
+            (finder(), FindLargestRegionGoal(RegionRequest(time_limit=86401.0)),
              "time_limit = 86401 s must be positive and at most 86400 s, or 0 for the node's ~time_limit, 60 s"),
-            (pave, ApproximateWorkspaceGoal(PavingRequest(criterion=CriterionRequest(aspect=4))),
+            (paver(), ApproximateWorkspaceGoal(PavingRequest(criterion=CriterionRequest(aspect=4))),
              "aspect = 4 must be OWN"),
         ]:
-            client = actionlib.ActionClient(f"{NODE}/{action[0]}", action[1])
-            self.assertTrue(client.wait_for_server(LONG))
-            sent = Goal(client, goal, None, None)  # a SimpleActionClient may miss a goal that ends at once
-            self.assertTrue(sent.wait_for_result(PATIENCE))
-            self.assertEqual(GoalStatus.ABORTED, sent.handle.get_goal_status())
-            result = sent.handle.get_result()
+            client.send_goal(goal)
+            result = client.result()
+            self.assertEqual(GoalStatus.ABORTED, client.get_state())
             self.assertEqual(ErrorCode.INVALID_REQUEST, result.error_code)
             self.assertRegex(result.message, message)
 
@@ -144,7 +151,7 @@ class ActionsTest(unittest.TestCase):
         self.assertGreater(feedback.boxes_per_second, 0.0)
         self.assertGreater(feedback.volume_boundary, 0.0)
         client.cancel_goal()
-        workspace = self.finish(client).workspace
+        workspace = client.result().workspace
         self.assertEqual(GoalStatus.PREEMPTED, client.get_state())
         self.assertFalse(workspace.complete)
         self.assertGreater(workspace.boxes_pending, 0)
@@ -157,10 +164,10 @@ class ActionsTest(unittest.TestCase):
         self.assertEqual(Region.PROVEN, region.status)
         client = finder()
         client.send_goal(FindLargestRegionGoal(RegionRequest(accuracy=0.01)))
-        self.assertEqual(region.size, self.finish(client).region.size)
+        self.assertEqual(region.size, client.result().region.size)
         self.assertEqual(GoalStatus.ACTIVE, endless.get_state())
         endless.cancel_goal()
-        self.assertFalse(self.finish(endless).workspace.complete)
+        self.assertFalse(endless.result().workspace.complete)
 
     def test_shows_the_set_by_verdict(self):
         computed = service("compute_workspace", ComputeWorkspace)(
