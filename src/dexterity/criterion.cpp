@@ -2,98 +2,19 @@
 #include "pkm_workspace/dexterity/criterion.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <tuple>
 
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/text.h"
 
 namespace pkm_workspace
 {
-void throwProblems(const Problems& problems)
-{
-  constexpr std::size_t MOST_PROBLEMS = 20;
-  constexpr std::size_t LONGEST_PROBLEM = 4000;
-  if (problems.empty())
-    return;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(MOST_PROBLEMS, problems.size()); ++k)
-    text += (text.empty() ? "" : "\n") + shortened(problems[k], LONGEST_PROBLEM);
-  if (problems.size() > MOST_PROBLEMS)
-    text += "\nand " + std::to_string(problems.size() - MOST_PROBLEMS) + " more";
-  throw std::invalid_argument(text);
-}
-
 namespace
 {
 /// The squares of factors have to be ordinary numbers.
 constexpr double LEAST = 1e-100;
 constexpr double LARGEST = 1e100;
 
-void complain(Problems& problems, const std::string& name, double value, const std::string& allowed)
-{
-  TextStream text;
-  text << name << " = " << value << ' ' << allowed;
-  problems.push_back(text.str());
-}
-}  // namespace
-
-void validatePositive(const char* name, double value, const char* unit, Problems& problems)
-{
-  if (!(value > 0.0) || !std::isfinite(value))
-    complain(problems, name, value, std::string(unit) + " must be positive and finite");
-}
-
-void validateShare(const char* name, double value, const char* unit, Problems& problems)
-{
-  if (!(value >= 1e-15 && value <= 1.0))
-    complain(problems, name, value, std::string(unit) + " must be from 1e-15 to 1");
-}
-
-void validateBox(const char* name, const Box& box, Problems& problems)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (std::isfinite(box.lower[axis]) && std::isfinite(box.upper[axis]) && box.lower[axis] <= box.upper[axis])
-      continue;
-    TextStream text;
-    text << name << ' ' << "xyz"[axis] << " = [" << box.lower[axis] << ", " << box.upper[axis]
-         << "] m must be finite, the lower end first";
-    problems.push_back(text.str());
-  }
-}
-
-void Budget::validate(Problems& problems) const
-{
-  if (!(time_limit >= 0.0) || !std::isfinite(time_limit))
-    complain(problems, "time_limit", time_limit, "s must be positive and finite, or 0 for none");
-  if (max_boxes < 0)
-    complain(problems, "max_boxes", static_cast<double>(max_boxes), "must be positive, or 0 for none");
-  if (threads < 1 || threads > 1024)
-    complain(problems, "threads", threads, "must be from 1 to 1024");
-}
-
-bool Budget::isOver(double seconds) const
-{
-  return (stop && *stop) || (time_limit > 0.0 && seconds >= time_limit);
-}
-
-std::string Budget::endedBy(double seconds, std::int64_t boxes) const
-{
-  TextStream text;
-  if (stop && *stop)
-    text << "a request to stop";
-  else if (max_boxes > 0 && boxes >= max_boxes)
-    text << "the limit of " << max_boxes << (max_boxes == 1 ? " box" : " boxes");
-  else if (isOver(seconds))
-    text << "the time limit of " << time_limit << " s";
-  return text.str();
-}
-
-namespace
-{
 /// The values of a criterion by their names.
 class FactorChecks
 {
@@ -105,9 +26,9 @@ public:
   {
     if ((value >= LEAST && value <= LARGEST) || (may_be_none && value == 0.0))
       return true;
-    complain(problems_, name, value,
-             fromWhere(name) + "(a transmission factor, without unit) must be positive and finite (1e-100 to 1e100)" +
-                 (may_be_none ? ", or 0 for none" : ""));
+    complain(problems_, name, " = ", value, ' ', fromWhere(name),
+             "(a transmission factor, without unit) must be positive and finite (1e-100 to 1e100)",
+             may_be_none ? ", or 0 for none" : "");
     return false;
   }
 
@@ -115,10 +36,8 @@ public:
   {
     if (lower <= upper)
       return;
-    TextStream text;
-    text << fromWhere(largest) << "must be at least " << least << " = " << lower << ' ' << fromWhere(least)
-         << "(transmission factors, without unit)";
-    complain(problems_, largest, upper, text.str());
+    complain(problems_, largest, " = ", upper, ' ', fromWhere(largest), "must be at least ", least, " = ", lower, ' ',
+             fromWhere(least), "(transmission factors, without unit)");
   }
 
 private:
@@ -143,8 +62,8 @@ void validateCriterion(const Criterion& criterion, const Origin& origin, Problem
   if (checks.isOrdinary("force_max", criterion.force_max, true) && has_force_min && criterion.force_max != 0.0)
     checks.order("force_min", criterion.force_min, "force_max", criterion.force_max);
   if (criterion.kappa_max != 0.0 && !(criterion.kappa_max >= 1.0 && criterion.kappa_max <= LARGEST))
-    complain(problems, "kappa_max", criterion.kappa_max,
-             "(a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+    complain(problems, "kappa_max = ", criterion.kappa_max,
+             " (a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
 }
 
 void Criterion::validate(Problems& problems) const

@@ -2,7 +2,6 @@
 #include "pkm_workspace/dexterity/global_conditioning.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -47,11 +46,7 @@ class Average
 {
 public:
   Average(const Machine& machine, const BoxClassifier& set, const ConditioningQuery& query)
-    : model_(machine, everywhere())
-    , set_(set)
-    , query_(query)
-    , pool_(query.budget.threads)
-    , begin_(std::chrono::steady_clock::now())
+    : model_(machine, everywhere()), set_(set), query_(query), pool_(query.budget.threads), budget_(query.budget)
   {}
 
   GlobalConditioning run(const Box& box)
@@ -83,13 +78,7 @@ private:
     return criterion;
   }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-
-  bool isOver() const
-  {
-    const Budget& budget = query_.budget;
-    return budget.isOver(seconds()) || (budget.max_boxes > 0 && result_.boxes >= budget.max_boxes);
-  }
+  bool isOver() const { return budget_.isOver(result_.boxes); }
 
   /// Whether another wave may not fit into the memory.
   bool isFull() const
@@ -174,14 +163,14 @@ private:
     result_.measure = mean.measure();
     result_.index = mean.mean();
     result_.complete = result_.index.width() <= query_.accuracy;
-    result_.seconds = seconds();
+    result_.seconds = budget_.seconds();
   }
 
   MachineModel<double> model_;
   const BoxClassifier& set_;
   const ConditioningQuery& query_;
   ThreadPool pool_;
-  std::chrono::steady_clock::time_point begin_;
+  const RunningBudget budget_;
   std::vector<Part> parts_;  ///< a heap, the most uncertain first
   double estimate_ = 0.5;
   GlobalConditioning result_;

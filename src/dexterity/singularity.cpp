@@ -2,7 +2,6 @@
 #include "pkm_workspace/dexterity/singularity.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <queue>
 #include <vector>
@@ -83,7 +82,7 @@ public:
     , measure_(measure)
     , spheres_(spheres)
     , two_sided_(measure == PARALLEL && !model.oriented())
-    , begin_(std::chrono::steady_clock::now())
+    , budget_(query.budget)
   {}
 
   SingularityAnswer run(const Box& root)
@@ -120,8 +119,7 @@ private:
   {
     if (query_.budget.max_boxes > 0 && answer_.boxes >= query_.budget.max_boxes)
       return true;
-    return answer_.boxes % CLOCK < 2 &&
-           query_.budget.isOver(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+    return answer_.boxes % CLOCK < 2 && budget_.isOver();
   }
 
   Look look(const Box& box) const
@@ -260,7 +258,7 @@ private:
   const std::size_t measure_;
   const std::vector<StrutSphere> spheres_;
   const bool two_sided_;
-  const std::chrono::steady_clock::time_point begin_;
+  const RunningBudget budget_;
   Box root_;
   std::priority_queue<Node> open_;
   double least_seen_ = INF;
@@ -281,7 +279,7 @@ void SingularityQuery::validate(Problems& problems) const
 Singularities findSingularities(const Machine& machine, const SingularityQuery& query)
 {
   validated(query);
-  const auto begin = std::chrono::steady_clock::now();
+  const RunningBudget budget(query.budget);
   const Criterion criterion = criterionOf(query);
   const MachineModel<double> model(machine, criterion);
   const std::optional<MachineModel<double>> sure = sureModel(machine, criterion, query);
@@ -293,7 +291,7 @@ Singularities findSingularities(const Machine& machine, const SingularityQuery& 
     SingularityAnswer& answer = measure == PARALLEL ? result.parallel : result.serial[measure];
     answer = LeastMeasure(model, sure, query, measure, measure == PARALLEL ? spheres : Spheres()).run(root);
   });
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = budget.seconds();
   return result;
 }
 }  // namespace pkm_workspace

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
-#include <stdexcept>
 
-#include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/common/problems.h"
 
 namespace pkm_workspace
 {
@@ -42,7 +41,7 @@ int senseOfDirections(const Leg& a, const Leg& b)
 }
 
 /// Legs that share a direction get what their enclosures of it have in common.
-void uniteAxes(Machine::Legs& legs, std::ostream& problems)
+void uniteAxes(Machine::Legs& legs, Problems& problems)
 {
   for (std::size_t i = 1; i < 3; ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -55,8 +54,8 @@ void uniteAxes(Machine::Legs& legs, std::ostream& problems)
       if (intersects(axis, other))
         axis = { intersection(axis[0], other[0]), intersection(axis[1], other[1]), intersection(axis[2], other[2]) };
       else
-        problems << "legs '" << legs[j].joint << "' and '" << legs[i].joint
-                 << "' are said to share a direction, but their axes are apart\n";
+        complain(problems, "legs '", legs[j].joint, "' and '", legs[i].joint,
+                 "' are said to share a direction, but their axes are apart");
     }
   for (std::size_t i = 1; i < 3; ++i)
     for (std::size_t j = i; j-- > 0;)
@@ -87,45 +86,45 @@ bool isOrdinary(const IntervalVector& point)
 }
 
 /// Collects what is wrong with one leg by itself.
-void validateLeg(const Leg& leg, const std::string& place, std::ostream& problems)
+void validateLeg(const Leg& leg, const std::string& place, Problems& problems)
 {
   if (!isBounded(leg.origin) || !isBounded(leg.platform) || !isBounded(leg.axis))
-    problems << place << ": rail origin, axis and platform point must be finite numbers\n";
+    complain(problems, place, ": rail origin, axis and platform point must be finite numbers");
   else if (!isOrdinary(leg.origin) || !isOrdinary(leg.platform))
-    problems << place << ": rail origin and platform point must be within 1e9 m\n";
+    complain(problems, place, ": rail origin and platform point must be within 1e9 m");
   else if (!squaredNorm(leg.axis).contains(1.0))
-    problems << place << ": the axis must have unit length, its squared length is " << squaredNorm(leg.axis) << "\n";
+    complain(problems, place, ": the axis must have unit length, its squared length is ", squaredNorm(leg.axis));
   if (!leg.length.isBounded() || leg.length.lower() < SHORTEST || leg.length.upper() > LARGEST)
-    problems << place << ": strut length " << leg.length << " m must be from 1e-9 m to 1e9 m\n";
+    complain(problems, place, ": strut length ", leg.length, " m must be from 1e-9 m to 1e9 m");
   if (leg.working_mode != 1 && leg.working_mode != -1)
-    problems << place << ": working mode " << leg.working_mode << " must be +1 or -1\n";
+    complain(problems, place, ": working mode ", leg.working_mode, " must be +1 or -1");
   if (leg.limits.isEmpty())
-    problems << place << ": the joint limits leave no value\n";
+    complain(problems, place, ": the joint limits leave no value");
 }
 
-void throwIfAny(const std::string& machine, const TextStream& problems)
+void throwRefusal(const std::string& machine, const Problems& problems)
 {
-  if (!problems.str().empty())
-    throw std::invalid_argument("machine '" + machine + "' is refused:\n" + problems.str());
+  throwProblems(problems, "machine '" + machine + "' is refused:");
 }
 
 /// The certain sign of det A at the zero configuration. @throws std::invalid_argument where there is none
 int aspectAt(const Machine& machine)
 {
-  TextStream problems;
+  Problems problems;
   const auto& zero = machine.zero();
   const auto configuration = configurationAt(machine, zero);
   if (!configuration)
-    problems << "zero configuration: a strut does not reach the tool point (" << zero.transpose() << ") m\n";
+    complain(problems, "zero configuration: a strut does not reach the tool point (", zero.transpose(), ") m");
   else
   {
     for (int i = 0; i < 3; ++i)
       if (configuration->eta[static_cast<std::size_t>(i)].contains(0.0))
-        problems << "leg '" << machine.leg(i).joint << "': its strut is across its rail at zero (serial singularity)\n";
+        complain(problems, "leg '", machine.leg(i).joint,
+                 "': its strut is across its rail at zero (serial singularity)");
     if (configuration->det_a.contains(0.0))
-      problems << "zero configuration: the struts lie in parallel planes, det A = 0 (parallel singularity)\n";
+      complain(problems, "zero configuration: the struts lie in parallel planes, det A = 0 (parallel singularity)");
   }
-  throwIfAny(machine.name(), problems);
+  throwRefusal(machine.name(), problems);
   return configuration->det_a.certainlyPositive() ? 1 : -1;
 }
 }  // namespace
@@ -133,13 +132,13 @@ int aspectAt(const Machine& machine)
 Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   : name_(std::move(name)), legs_(std::move(legs)), zero_(zero)
 {
-  TextStream problems;
+  Problems problems;
   for (const auto& leg : legs_)
     validateLeg(leg, "leg '" + leg.joint + "'", problems);
   uniteAxes(legs_, problems);
   if (!zero.allFinite() || zero.cwiseAbs().maxCoeff() > LARGEST)
-    problems << "zero configuration: the tool point must be finite, within 1e9 m\n";
-  throwIfAny(name_, problems);
+    complain(problems, "zero configuration: the tool point must be finite, within 1e9 m");
+  throwRefusal(name_, problems);
   for (std::size_t i = 0; i < 3; ++i)
   {
     centers_[i] = legs_[i].origin - legs_[i].platform;

@@ -53,7 +53,7 @@ Paver::Paver(const Machine& machine, const PavingQuery& query, const Paving* ear
   , earlier_(earlier)
   , test_(machine, query.criterion)
   , pool_(query.budget.threads, ALONE)
-  , begin_(std::chrono::steady_clock::now())
+  , budget_(query.budget)
   , pace_(query.progress_period)
 {
   told_.volume_boundary = std::numeric_limits<double>::infinity();
@@ -61,11 +61,6 @@ Paver::Paver(const Machine& machine, const PavingQuery& query, const Paving* ear
   paving_.criterion = query.criterion;
   paving_.resolution = query.resolution;
   paving_.box = query.box ? *query.box : defaultBox(machine, query.criterion);
-}
-
-double Paver::seconds() const
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
 Paving Paver::run()
@@ -77,7 +72,7 @@ Paving Paver::run()
       level = divide(level);
   }
   paving_.sumUp();
-  paving_.seconds = seconds();
+  paving_.seconds = budget_.seconds();
   return std::move(paving_);
 }
 
@@ -145,7 +140,7 @@ Paver::Counts Paver::lookAt(const Level& level, std::size_t first, std::size_t l
   const std::size_t end = std::min(first + CHUNK, level.size);
   for (std::size_t k = first; k < end; ++k)
     states[k] = known(level, k);
-  if (!late())
+  if (!budget_.isOver())
     for (std::size_t k = first; k < last; ++k)
       if (states[k] == CellState::PENDING)
       {
@@ -225,7 +220,7 @@ Paver::Level Paver::halves(const Level& level, const States& states, const std::
 /// @param sum of what became of the level in work
 void Paver::report(const Level& level, const Counts& sum)
 {
-  if (!query_.progress || !pace_.isDue(seconds()))
+  if (!query_.progress || !pace_.isDue(budget_.seconds()))
     return;
   const BoxTree& tree = paving_.tree;
   const Interval each = tree.bisection().volume(tree.levels());
@@ -237,7 +232,7 @@ void Paver::report(const Level& level, const Counts& sum)
   told_.volume_boundary =
       std::min(told_.volume_boundary, (1.0 + ORDER) * undecided.upper() + 4.0 * ORDER * inside.upper());
   told_.boxes = paving_.boxes_here + static_cast<std::int64_t>(sum.looked);
-  told_.seconds = seconds();
+  told_.seconds = budget_.seconds();
   query_.progress(told_);
 }
 }  // namespace pkm_workspace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -60,15 +59,12 @@ private:
   Level halves(const Level& level, const States& states, const std::vector<Counts>& before);
   void report(const Level& level, const Counts& sum);
 
-  double seconds() const;
-  bool late() const { return query_.budget.isOver(seconds()); }
-
   const PavingQuery& query_;
   const Paving* earlier_;
   BoxTest test_;
   ThreadPool pool_;
   Paving paving_;
-  std::chrono::steady_clock::time_point begin_;
+  const RunningBudget budget_;
   Pace pace_;
   PavingProgress told_;  ///< last: nobody is told less later
 };

@@ -2,7 +2,6 @@
 #include "pkm_workspace/paving/range_workspace.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 #include "pkm_workspace/interval/text_stream.h"
@@ -54,7 +53,7 @@ public:
     : machine_(withJointLimits(machine, query.ranges.outer))
     , query_(query)
     , uncertain_(volumeBetween(machine, query.ranges))
-    , begin_(std::chrono::steady_clock::now())
+    , budget_(query.budget)
   {}
 
   RangeWorkspace run()
@@ -71,17 +70,12 @@ public:
     answer_.own_aspect = withinRanges(answer_.own_aspect);
     answer_.other_aspect = withinRanges(answer_.other_aspect);
     answer_.complete = isSettled();
-    answer_.seconds = seconds();
+    answer_.seconds = budget_.seconds();
     return answer_;
   }
 
 private:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-  bool isOver() const
-  {
-    const Budget& budget = query_.budget;
-    return boxes_ > 0 && (budget.isOver(seconds()) || (budget.max_boxes > 0 && boxes_ >= budget.max_boxes));
-  }
+  bool isOver() const { return boxes_ > 0 && budget_.isOver(boxes_); }
 
   /// Whether the volume that the accuracy is about is known to it.
   bool isSettled() const
@@ -97,17 +91,11 @@ private:
     query.criterion.aspect = aspect;
     query.criterion.joint_limits = true;
     query.resolution = resolution;
-    query.budget = query_.budget;
-    if (query.budget.max_boxes > 0)
-      query.budget.max_boxes = std::max<std::int64_t>(1, query.budget.max_boxes - boxes_);
-    if (query.budget.time_limit > 0.0)
-      query.budget.time_limit = std::max(1e-9, query.budget.time_limit - seconds());
+    query.budget = budget_.rest(boxes_);
     std::optional<Paving>& paving = pavings_[aspect == Criterion::Aspect::OWN ? 0 : 1];
     paving = paving ? resume(machine_, query, *paving) : pave(machine_, query);
     boxes_ += paving->boxes_here;
-    if (query.budget.time_limit > 0.0)
-      query.budget.time_limit = std::max(1e-9, query_.budget.time_limit - seconds());
-    return reachableVolume(machine_, query.criterion, *paving, query.budget);
+    return reachableVolume(machine_, query.criterion, *paving, budget_.rest(boxes_));
   }
 
   /// Encloses the volume for the ranges, given that for the outer ones.
@@ -119,7 +107,7 @@ private:
   const Machine machine_;
   const RangeQuery& query_;
   const Interval uncertain_;  ///< what may belong to the outer ranges only [m^3]
-  const std::chrono::steady_clock::time_point begin_;
+  const RunningBudget budget_;
   std::int64_t boxes_ = 0;
   std::array<std::optional<Paving>, 2> pavings_;  ///< of either aspect, at the last resolution
   RangeWorkspace answer_;

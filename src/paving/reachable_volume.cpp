@@ -2,7 +2,6 @@
 #include "pkm_workspace/paving/reachable_volume.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -123,10 +122,7 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
   if (criterion.boundsFactors())
     throw std::invalid_argument("the volume between planes is known for reachable sets only");
   const MachineModel<double> model(machine, criterion);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [begin] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const RunningBudget running(budget);
   ThreadPool pool(budget.threads);
   const BoxTree& tree = paving.tree;
   Interval volume = paving.volume_inside;
@@ -136,7 +132,7 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
     const std::vector<Box>& boxes = boundary[level];
     std::vector<Interval> shares((boxes.size() + CHUNK - 1) / CHUNK);
     pool.forEach(shares.size(), [&](std::size_t chunk) {
-      const bool stopped = budget.isOver(seconds());
+      const bool stopped = running.isOver();
       for (std::size_t k = chunk * CHUNK; k < std::min(boxes.size(), (chunk + 1) * CHUNK); ++k)
         shares[chunk] += stopped ? Interval(0.0, 1.0) : shareOfSet(model, boxes[k]);
     });

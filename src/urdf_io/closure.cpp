@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "number_text.h"
+#include "refusal.h"
 
 namespace pkm_workspace
 {
@@ -70,9 +71,9 @@ Candidates allCandidates(const std::array<Rail, 3>& rails, const Stations& stati
       if (station.isOnPlatform() && station.fixed_joints > 0)
         candidates[i].push_back(candidateAt(station, rails[i]));
     if (candidates[i].empty())
-      problems.add() << "leg of rail '" << rails[i].joint->name << "': " << whyNoPlatform(stations[i]);
+      complain(problems, "leg of rail '", rails[i].joint->name, "': ", whyNoPlatform(stations[i]));
   }
-  problems.throwIfAny();
+  throwRefusal(problems);
   return candidates;
 }
 
@@ -92,23 +93,23 @@ Candidates namedCandidates(const Model& model, const std::array<Rail, 3>& rails,
   Problems problems;
   Candidates candidates;
   if (names.size() != 3)
-    problems.add() << "tcp_links names " << names.size() << " links, expected three, one for each leg";
+    complain(problems, "tcp_links names ", names.size(), " links, expected three, one for each leg");
   for (const std::string& name : names)
   {
     const auto found = findLink(name, stations);
     if (model.tree->links_.count(name) == 0)
-      problems.add() << "tcp_links names '" << name << "', which is no link; the links are: " << linksOf(model);
+      complain(problems, "tcp_links names '", name, "', which is no link; the links are: ", linksOf(model));
     else if (!found)
-      problems.add() << "tcp_links names link '" << name << "', which no rail carries";
+      complain(problems, "tcp_links names link '", name, "', which no rail carries");
     else if (!candidates[found->first].empty())
-      problems.add() << "tcp_links names links '" << candidates[found->first].front().station->link << "' and '" << name
-                     << "' on the leg of rail '" << rails[found->first].joint->name << "', expected one for each leg";
+      complain(problems, "tcp_links names links '", candidates[found->first].front().station->link, "' and '", name,
+               "' on the leg of rail '", rails[found->first].joint->name, "', expected one for each leg");
     else if (!found->second->isOnPlatform())
-      problems.add() << "tcp link '" << name << "': " << whyNotOnPlatform(*found->second);
+      complain(problems, "tcp link '", name, "': ", whyNotOnPlatform(*found->second));
     else
       candidates[found->first].push_back(candidateAt(*found->second, rails[found->first]));
   }
-  problems.throwIfAny();
+  throwRefusal(problems);
   return candidates;
 }
 
@@ -160,9 +161,9 @@ void tellDistance(const Candidates& candidates, double tolerance, Problems& prob
     if (!best || triple.distance < best->distance)
       best = triple;
   }
-  problems.add() << "the tcp frames of links " << best->names() << " are " << roundedText(best->distance, 6)
-                 << " m apart at zero, expected at most " << roundedText(urdf_tolerance::COINCIDE, 3)
-                 << " L = " << roundedText(tolerance, 6) << " m: at zero the machine must be assembled";
+  complain(problems, "the tcp frames of links ", best->names(), " are ", roundedText(best->distance, 6),
+           " m apart at zero, expected at most ", roundedText(urdf_tolerance::COINCIDE, 3),
+           " L = ", roundedText(tolerance, 6), " m: at zero the machine must be assembled");
 }
 
 /// @param problems of the legs, told with those of the triple when there is none
@@ -172,16 +173,16 @@ Triple deepestTriple(const Candidates& candidates, double tolerance, Problems& p
   if (triples.empty())
   {
     tellDistance(candidates, tolerance, problems);
-    problems.throwIfAny();
+    throwRefusal(problems);
   }
   const auto less = [](const Triple& a, const Triple& b) { return b.isDeeperThan(a); };
   const Triple deepest = *std::max_element(triples.begin(), triples.end(), less);
   for (const Triple& other : triples)
     if (!deepest.isDeeperThan(other) && (other.of[0]->point - deepest.of[0]->point).norm() > 2.0 * tolerance)
     {
-      problems.add() << "the links " << deepest.names() << " coincide at zero, and so do " << other.names()
-                     << ", elsewhere and as deep; name the tool point's with tcp_links";
-      problems.throwIfAny();
+      complain(problems, "the links ", deepest.names(), " coincide at zero, and so do ", other.names(),
+               ", elsewhere and as deep; name the tool point's with tcp_links");
+      throwRefusal(problems);
     }
   return deepest;
 }
@@ -194,9 +195,8 @@ void checkIndependence(const std::array<ClosedLeg, 3>& legs, Problems& problems)
     {
       const auto other = joint_of.emplace(hinge.master, hinge.joint);
       if (!other.second)
-        problems.add() << "joints '" << other.first->second << "' and '" << hinge.joint << "' both follow '"
-                       << hinge.master
-                       << "', which couples their struts; expected passive joints that turn each strut by itself";
+        complain(problems, "joints '", other.first->second, "' and '", hinge.joint, "' both follow '", hinge.master,
+                 "', which couples their struts; expected passive joints that turn each strut by itself");
     }
 }
 }  // namespace
@@ -225,7 +225,7 @@ std::array<ClosedLeg, 3> closeLegs(const Model& model, const std::array<Rail, 3>
     legs[i].tool_point = rails[i].slider.toOuter(legs[i].tcp.frame.position);
   }
   checkIndependence(legs, problems);
-  problems.throwIfAny();
+  throwRefusal(problems);
   return legs;
 }
 }  // namespace urdf_io

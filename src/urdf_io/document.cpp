@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document_checks.h"
+#include "refusal.h"
 
 namespace pkm_workspace
 {
@@ -29,7 +30,7 @@ public:
   {
     ++depth_;
     if (depth_ == DEEPEST_ELEMENT + 1)
-      problems_.add() << "line " << element.GetLineNum() << ": elements are nested deeper than " << DEEPEST_ELEMENT;
+      complain(problems_, "line ", element.GetLineNum(), ": elements are nested deeper than ", DEEPEST_ELEMENT);
     XMLPrinter::VisitEnter(element, first);
     return depth_ <= DEEPEST_ELEMENT;
   }
@@ -71,8 +72,8 @@ void checkCharacters(const std::string& text, Problems& problems)
     const std::size_t length = characterLength(bytes + i);
     if (length == 0)
     {
-      problems.add() << "an element or attribute holds a character that is not printable UTF-8 (byte "
-                     << static_cast<int>(bytes[i]) << ")";
+      complain(problems, "an element or attribute holds a character that is not printable UTF-8 (byte ",
+               static_cast<int>(bytes[i]), ")");
       return;
     }
     i += length;
@@ -95,23 +96,22 @@ int mostAttributes(const std::string& xml)
 void checkText(const std::string& xml, Problems& problems)
 {
   if (xml.size() > LARGEST_TEXT)
-    problems.add() << "the text is longer than the " << LARGEST_TEXT << " bytes that are read";
+    complain(problems, "the text is longer than the ", LARGEST_TEXT, " bytes that are read");
   if (xml.find('\0') != std::string::npos)
-    problems.add() << "the text holds a zero byte: it is no XML";
+    complain(problems, "the text holds a zero byte: it is no XML");
   if (mostAttributes(xml) > MOST_ATTRIBUTES)
-    problems.add() << "an element has " << mostAttributes(xml) << " attributes, at most " << MOST_ATTRIBUTES
-                   << " are read";
-  problems.throwIfAny();
+    complain(problems, "an element has ", mostAttributes(xml), " attributes, at most ", MOST_ATTRIBUTES, " are read");
+  throwRefusal(problems);
 }
 
 void parse(const std::string& xml, tinyxml2::XMLDocument& xml_document, Problems& problems)
 {
   xml_document.Parse(xml.data(), xml.size());
   if (xml_document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
-    problems.add() << "line " << xml_document.ErrorLineNum() << ": elements are nested deeper than " << DEEPEST_ELEMENT;
+    complain(problems, "line ", xml_document.ErrorLineNum(), ": elements are nested deeper than ", DEEPEST_ELEMENT);
   else if (xml_document.Error())
-    problems.add() << "the text is no well-formed XML: " << xml_document.ErrorStr();
-  problems.throwIfAny();
+    complain(problems, "the text is no well-formed XML: ", xml_document.ErrorStr());
+  throwRefusal(problems);
 }
 
 /// The first element of xacro, or null.
@@ -130,10 +130,10 @@ void checkXacro(const tinyxml2::XMLDocument& xml_document, Problems& problems)
 {
   const XMLElement* const root = xml_document.RootElement();
   if (const XMLElement* const found = root == nullptr ? nullptr : firstOfXacro(*root))
-    problems.add() << "line " << found->GetLineNum() << ": <" << found->Name()
-                   << "> is xacro, from which a URDF is still to be made: run 'xacro FILE > machine.urdf' and give its"
-                   << " output";
-  problems.throwIfAny();
+    complain(problems, "line ", found->GetLineNum(), ": <", found->Name(),
+             "> is xacro, from which a URDF is still to be made: run 'xacro FILE > machine.urdf' and give its",
+             " output");
+  throwRefusal(problems);
 }
 
 /// The only element <robot>.
@@ -141,21 +141,20 @@ const XMLElement& onlyRobot(const tinyxml2::XMLDocument& xml_document, Problems&
 {
   const XMLElement* const root = xml_document.RootElement();
   if (root == nullptr || root->Name() != std::string("robot"))
-    problems.add() << "the outermost element is <" << (root == nullptr ? "" : root->Name()) << ">, expected <robot>";
-  problems.throwIfAny();
+    complain(problems, "the outermost element is <", (root == nullptr ? "" : root->Name()), ">, expected <robot>");
+  throwRefusal(problems);
   for (auto* next = root->NextSiblingElement(); next != nullptr; next = next->NextSiblingElement())
-    problems.add() << "line " << next->GetLineNum() << ": a second outermost element <" << next->Name()
-                   << ">, expected one <robot>";
+    complain(problems, "line ", next->GetLineNum(), ": a second outermost element <", next->Name(),
+             ">, expected one <robot>");
   for (const auto* const inner : childrenOf(*root, "robot"))
-    problems.add() << "line " << inner->GetLineNum() << ": a second <robot> inside the first, expected one";
+    complain(problems, "line ", inner->GetLineNum(), ": a second <robot> inside the first, expected one");
   for (const char* const kind : { "link", "joint" })
   {
     const auto count = childrenOf(*root, kind).size();
     if (count > MOST_ELEMENTS)
-      problems.add() << "the robot has " << count << " elements <" << kind << ">, at most " << MOST_ELEMENTS
-                     << " are read";
+      complain(problems, "the robot has ", count, " elements <", kind, ">, at most ", MOST_ELEMENTS, " are read");
   }
-  problems.throwIfAny();
+  throwRefusal(problems);
   return *root;
 }
 
@@ -182,7 +181,7 @@ Document readDocument(const std::string& xml, Problems& problems)
   document.elements = printer.CStr();
   checkCharacters(document.elements, problems);
   checkStructure(robot, problems);
-  problems.throwIfAny();
+  throwRefusal(problems);
   checkJoints(robot, problems, document.warnings);
   for (const auto* const joint : childrenOf(robot, "joint"))
   {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "notice.h"
+#include "pkm_workspace/common/problems.h"
 #include "placement.h"
-#include "problems.h"
 
 namespace pkm_workspace
 {

@@ -6,7 +6,7 @@
 
 #include "element.h"
 #include "notice.h"
-#include "problems.h"
+#include "pkm_workspace/common/problems.h"
 
 namespace pkm_workspace
 {

@@ -37,7 +37,11 @@ struct Place
   const XMLElement& joint;
   Problems& problems;
 
-  std::ostream& problem() const { return problems.add() << "joint '" << nameOf(joint) << "': "; }
+  template <class... Parts>
+  void complain(const Parts&... parts) const
+  {
+    pkm_workspace::complain(problems, "joint '", nameOf(joint), "': ", parts...);
+  }
   bool isOf(std::initializer_list<const char*> types) const
   {
     const std::string type = textOf(&joint, "type");
@@ -52,7 +56,7 @@ void checkElements(const Place& place, std::vector<Notice>& warnings)
   {
     const auto count = childrenOf(place.joint, known.first.c_str()).size();
     if (count > 1)
-      place.problem() << "<" << known.first << "> is given " << count << " times, expected once";
+      place.complain("<", known.first, "> is given ", count, " times, expected once");
   }
   const std::string name = nameOf(place.joint);
   const auto warn = [&](const std::string& sentence) {
@@ -75,7 +79,7 @@ void checkLinks(const Place& place)
   {
     const auto* const element = place.joint.FirstChildElement(end);
     if (element != nullptr && element->Attribute("link") != nullptr && textOf(element, "link").empty())
-      place.problem() << "<" << end << " link> is empty, expected the name of a link";
+      place.complain("<", end, " link> is empty, expected the name of a link");
   }
 }
 
@@ -86,9 +90,9 @@ void checkOrigin(const Place& place)
   {
     const auto numbers = vectorOf(origin, attribute);
     if (numbers && numbers->cwiseAbs().maxCoeff() > LARGEST_NUMBER)
-      place.problem() << "<origin " << attribute << "> = " << vectorText(*numbers)
-                      << (attribute == std::string("xyz") ? " m" : " rad") << " is out of range, expected numbers from "
-                      << -LARGEST_NUMBER << " to " << LARGEST_NUMBER;
+      place.complain("<origin ", attribute, "> = ", vectorText(*numbers),
+                     (attribute == std::string("xyz") ? " m" : " rad"), " is out of range, expected numbers from ",
+                     -LARGEST_NUMBER, " to ", LARGEST_NUMBER);
   }
 }
 
@@ -99,25 +103,24 @@ void checkAxis(const Place& place)
   const auto* const axis = place.joint.FirstChildElement("axis");
   if (axis == nullptr || axis->Attribute("xyz") == nullptr)
   {
-    place.problem() << "<axis xyz> is missing, expected a direction (URDF would take 1 0 0)";
+    place.complain("<axis xyz> is missing, expected a direction (URDF would take 1 0 0)");
     return;
   }
   const auto direction = vectorOf(axis, "xyz");
   if (direction && direction->isZero(0.0))
-    place.problem() << "<axis xyz> = 0 0 0 is no direction, expected a vector of any length but 0";
+    place.complain("<axis xyz> = 0 0 0 is no direction, expected a vector of any length but 0");
 }
 
 void checkLimitEnds(const Place& place, const XMLElement& limit)
 {
   for (const char* const end : { "lower", "upper" })
     if (limit.Attribute(end) == nullptr)
-      place.problem() << "<limit " << end << "> is missing, expected a number [" << place.unit()
-                      << "] (URDF would take 0)";
+      place.complain("<limit ", end, "> is missing, expected a number [", place.unit(), "] (URDF would take 0)");
   const auto lower = numberOf(&limit, "lower");
   const auto upper = numberOf(&limit, "upper");
   if (lower && upper && *lower > *upper)
-    place.problem() << "<limit> lower = " << numberText(*lower) << " " << place.unit()
-                    << " is above upper = " << numberText(*upper) << " " << place.unit() << ", expected lower <= upper";
+    place.complain("<limit> lower = ", numberText(*lower), " ", place.unit(), " is above upper = ", numberText(*upper),
+                   " ", place.unit(), ", expected lower <= upper");
 }
 
 void checkLimit(const Place& place)
@@ -134,8 +137,8 @@ void checkLimit(const Place& place)
   {
     const auto value = numberOf(limit, bound.first);
     if (value && *value < 0.0)
-      place.problem() << "<limit " << bound.first << "> = " << numberText(*value) << " " << bound.second
-                      << " is negative, expected 0 or more";
+      place.complain("<limit ", bound.first, "> = ", numberText(*value), " ", bound.second,
+                     " is negative, expected 0 or more");
   }
 }
 }  // namespace

@@ -104,7 +104,7 @@ void checkMeeting(const std::vector<Hinge>& hinges, const char* place, double mi
 {
   if (misfit <= allowed)
     return;
-  auto& text = problems.add() << "the axes of the passive joints";
+  TextStream text;
   for (const Hinge& hinge : hinges)
     text << " '" << hinge.joint << "'";
   text << " at the " << place;
@@ -113,6 +113,7 @@ void checkMeeting(const std::vector<Hinge>& hinges, const char* place, double mi
          << roundedText(urdf_tolerance::MEET, 3) << " L = " << roundedText(allowed, 3) << " m";
   else
     text << " are parallel, expected axes that meet in one point";
+  complain(problems, "the axes of the passive joints", text.str());
 }
 }  // namespace
 
@@ -131,8 +132,8 @@ LegGeometry measureLeg(const Station& station, Problems& problems)
     leg.platform = grown(leg.platform, (Interval(station.turn) * norm(leg.platform)).upper());
   leg.misfit = std::max(slider.misfit, platform.misfit);
   if (!leg.length.certainlyPositive())
-    problems.add() << "strut of link '" << station.at_slider.back().child_link
-                   << "': its length L = " << numberText(leg.length.mid()) << " m, expected a positive length";
+    complain(problems, "strut of link '", station.at_slider.back().child_link,
+             "': its length L = ", numberText(leg.length.mid()), " m, expected a positive length");
   const double allowed = urdf_tolerance::MEET * leg.length.mid();
   checkMeeting(station.at_slider, "slider", slider.misfit, allowed, problems);
   checkMeeting(station.wrist, "platform", platform.misfit, allowed, problems);

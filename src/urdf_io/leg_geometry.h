@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "leg_chain.h"
-#include "problems.h"
+#include "pkm_workspace/common/problems.h"
 
 namespace pkm_workspace
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model.h"
+#include "refusal.h"
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -81,16 +82,16 @@ urdf::ModelInterfaceSharedPtr parseTree(const std::string& xml, Problems& proble
   }
   catch (const std::exception& exception)
   {
-    problems.add() << "urdfdom: " << exception.what();
+    complain(problems, "urdfdom: ", exception.what());
     return nullptr;
   }
   for (const std::string& message : listening.messages())
     if (tree)
       warnings.push_back({ "urdfdom: " + message, "urdfdom: " + message, "", "" });
     else
-      problems.add() << "urdfdom: " << message;
+      complain(problems, "urdfdom: ", message);
   if (!tree && listening.messages().empty())
-    problems.add() << "urdfdom gives no reason";
+    complain(problems, "urdfdom gives no reason");
   return tree;
 }
 
@@ -119,7 +120,7 @@ Model readModel(const std::string& xml)
   Model model;
   model.document = readDocument(xml, problems);
   model.tree = parseTree(model.document.elements, problems, model.document.warnings);
-  problems.throwIfAny();
+  throwRefusal(problems);
   for (const auto& joint : model.tree->joints_)
     model.masters.emplace(joint.first, masterOf(*joint.second, *model.tree));
   return model;

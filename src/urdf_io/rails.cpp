@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rails.h"
+#include "refusal.h"
 
 #include <algorithm>
 
@@ -30,16 +31,16 @@ void checkNamed(const Model& model, const std::vector<std::string>& names, Probl
 {
   const std::string list = listOf(prismaticJoints(model));
   if (names.size() != 3)
-    problems.add() << "rails names " << names.size() << " joints (" << listOf(names)
-                   << "), expected three of the prismatic joints: " << list;
+    complain(problems, "rails names ", names.size(), " joints (", listOf(names),
+             "), expected three of the prismatic joints: ", list);
   for (auto name = names.begin(); name != names.end(); ++name)
     if (model.tree->joints_.count(*name) == 0)
-      problems.add() << "rails names '" << *name << "', which is no joint; the prismatic joints are: " << list;
+      complain(problems, "rails names '", *name, "', which is no joint; the prismatic joints are: ", list);
     else if (model.joint(*name).type != urdf::Joint::PRISMATIC)
-      problems.add() << "rails names joint '" << *name << "', which is " << typeOf(model.joint(*name))
-                     << "; the prismatic joints are: " << list;
+      complain(problems, "rails names joint '", *name, "', which is ", typeOf(model.joint(*name)),
+               "; the prismatic joints are: ", list);
     else if (std::find(names.begin(), name, *name) != name)
-      problems.add() << "rails names joint '" << *name << "' twice, expected three different ones";
+      complain(problems, "rails names joint '", *name, "' twice, expected three different ones");
 }
 
 std::vector<std::string> railNames(const Model& model, const std::vector<std::string>& names)
@@ -49,9 +50,9 @@ std::vector<std::string> railNames(const Model& model, const std::vector<std::st
     checkNamed(model, names, problems);
   const auto found = names.empty() ? prismaticJoints(model) : names;
   if (names.empty() && found.size() != 3)
-    problems.add() << "the robot has " << found.size() << " prismatic joints (" << listOf(found)
-                   << "), expected the three rails; of more, rails may name three";
-  problems.throwIfAny();
+    complain(problems, "the robot has ", found.size(), " prismatic joints (", listOf(found),
+             "), expected the three rails; of more, rails may name three");
+  throwRefusal(problems);
   return found;
 }
 
@@ -68,12 +69,12 @@ std::vector<const urdf::Joint*> jointsFromRoot(const urdf::Joint& joint, const M
 void checkRail(const urdf::Joint& joint, const Model& model, Problems& problems)
 {
   if (joint.mimic)
-    problems.add() << "rail '" << joint.name << "' follows joint '" << joint.mimic->joint_name
-                   << "' by <mimic>, expected an actuated joint";
+    complain(problems, "rail '", joint.name, "' follows joint '", joint.mimic->joint_name,
+             "' by <mimic>, expected an actuated joint");
   for (const urdf::Joint* above : jointsFromRoot(joint, model))
     if (above != &joint && above->type != urdf::Joint::FIXED)
-      problems.add() << "rail '" << joint.name << "' is carried by joint '" << above->name << "', which is "
-                     << typeOf(*above) << "; expected fixed joints between the root link and a rail";
+      complain(problems, "rail '", joint.name, "' is carried by joint '", above->name, "', which is ", typeOf(*above),
+               "; expected fixed joints between the root link and a rail");
 }
 
 IntervalVector negative(const IntervalVector& v)
@@ -111,7 +112,7 @@ std::array<Rail, 3> findRails(const Model& model, const std::vector<std::string>
       rails[i].slider = rails[i].slider.then(model.originOf(*joint));
     directions[i] = directionIn(rails[i].slider, axisOf(*rails[i].joint));
   }
-  problems.throwIfAny();
+  throwRefusal(problems);
   setAxes(directions, rails);
   return rails;
 }

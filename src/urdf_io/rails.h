@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model.h"
-#include "problems.h"
+#include "pkm_workspace/common/problems.h"
 
 namespace pkm_workspace
 {

@@ -47,11 +47,11 @@ void forEachCircle(const Ways& ways, const Tell& tell)
 void checkNames(const XMLElement& robot, Problems& problems)
 {
   if (nameOf(robot).empty() && robot.Attribute("name") != nullptr)
-    problems.add() << "<robot name> is empty, expected the name of the machine";
+    complain(problems, "<robot name> is empty, expected the name of the machine");
   for (const char* const kind : { "link", "joint" })
     for (const auto* const element : childrenOf(robot, kind))
       if (element->Attribute("name") != nullptr && nameOf(*element).empty())
-        problems.add() << "line " << element->GetLineNum() << ": <" << kind << " name> is empty, expected a name";
+        complain(problems, "line ", element->GetLineNum(), ": <", kind, " name> is empty, expected a name");
 }
 
 void checkParents(const XMLElement& robot, Problems& problems)
@@ -63,13 +63,13 @@ void checkParents(const XMLElement& robot, Problems& problems)
     const std::string child = textOf(joint->FirstChildElement("child"), "link");
     const auto inserted = joint_above.emplace(child, nameOf(*joint));
     if (!inserted.second && !child.empty())
-      problems.add() << "link '" << child << "' has two parents, joints '" << inserted.first->second << "' and '"
-                     << nameOf(*joint) << "', expected one";
+      complain(problems, "link '", child, "' has two parents, joints '", inserted.first->second, "' and '",
+               nameOf(*joint), "', expected one");
     parents.emplace(child, textOf(joint->FirstChildElement("parent"), "link"));
   }
   forEachCircle(parents, [&problems](const std::string& circle) {
-    problems.add() << "links form a loop, each the child of the next: " << circle
-                   << "; expected a tree, cut at the platform";
+    complain(problems, "links form a loop, each the child of the next: ", circle,
+             "; expected a tree, cut at the platform");
   });
 }
 
@@ -86,15 +86,14 @@ void checkMimics(const XMLElement& robot, Problems& problems)
       continue;
     const std::string source = textOf(mimic, "joint");
     if (source == nameOf(*joint))
-      problems.add() << "joint '" << source << "': <mimic> follows the joint itself, expected another joint";
+      complain(problems, "joint '", source, "': <mimic> follows the joint itself, expected another joint");
     else if (joints.count(source) == 0)
-      problems.add() << "joint '" << nameOf(*joint) << "': <mimic> follows '" << source << "', which is no joint";
+      complain(problems, "joint '", nameOf(*joint), "': <mimic> follows '", source, "', which is no joint");
     else
       followed.emplace(nameOf(*joint), source);
   }
   forEachCircle(followed, [&problems](const std::string& circle) {
-    problems.add() << "joints follow each other in a circle by <mimic>: " << circle
-                   << "; expected one that follows none";
+    complain(problems, "joints follow each other in a circle by <mimic>: ", circle, "; expected one that follows none");
   });
 }
 }  // namespace

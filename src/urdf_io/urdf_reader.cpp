@@ -8,6 +8,7 @@
 #include "number_text.h"
 #include "pkm_workspace/whole_file.h"
 #include "reader_warnings.h"
+#include "refusal.h"
 
 namespace pkm_workspace
 {
@@ -54,18 +55,17 @@ void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& pr
     const Interval length = legs[i].geometry.length;
     volume = volume * length;
     if (!(eta.mignitude() > least * length.upper()))
-      problems.add() << "link '" << strutLink(legs[i]) << "': a strut across its rail '" << rails[i].joint->name
-                     << "' at zero (serial singularity): eta = " << roundedText(eta.mid(), 6)
-                     << " m, expected more than " << roundedText(least, 3)
-                     << " L = " << roundedText(least * length.upper(), 6) << " m in size";
+      complain(problems, "link '", strutLink(legs[i]), "': a strut across its rail '", rails[i].joint->name,
+               "' at zero (serial singularity): eta = ", roundedText(eta.mid(), 6), " m, expected more than ",
+               roundedText(least, 3), " L = ", roundedText(least * length.upper(), 6), " m in size");
   }
   const Interval det_a =
       determinant(strutOf(rails[0], legs[0]), strutOf(rails[1], legs[1]), strutOf(rails[2], legs[2]));
   if (!(det_a.mignitude() > least * volume.upper()))
-    problems.add() << "links '" << strutLink(legs[0]) << "', '" << strutLink(legs[1]) << "', '" << strutLink(legs[2])
-                   << "': struts in parallel planes at zero (parallel singularity): det A = "
-                   << roundedText(det_a.mid(), 6) << " m^3, expected more than " << roundedText(least, 3)
-                   << " L_1 L_2 L_3 = " << roundedText(least * volume.upper(), 6) << " m^3 in size";
+    complain(problems, "links '", strutLink(legs[0]), "', '", strutLink(legs[1]), "', '", strutLink(legs[2]),
+             "': struts in parallel planes at zero (parallel singularity): det A = ", roundedText(det_a.mid(), 6),
+             " m^3, expected more than ", roundedText(least, 3),
+             " L_1 L_2 L_3 = ", roundedText(least * volume.upper(), 6), " m^3 in size");
 }
 
 /// A double near the tool point of the first leg: rounding is no coordinate.
@@ -79,7 +79,7 @@ Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& cl
 {
   Problems problems;
   checkSingularities(rails, closed, problems);
-  problems.throwIfAny();
+  throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
     legs[i] = machineLeg(rails[i], closed[i]);
@@ -89,8 +89,8 @@ Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& cl
   }
   catch (const std::invalid_argument& exception)
   {
-    problems.add() << exception.what();
-    problems.throwIfAny();
+    complain(problems, exception.what());
+    throwRefusal(problems);
     throw;
   }
 }

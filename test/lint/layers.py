@@ -14,12 +14,14 @@ import subprocess
 import sys
 
 # Each folder, with those of its own package that it may include besides itself; "" is what stands beside the folders.
-BELOW_DEXTERITY = {"interval", "machine"}
+COMMON = {"interval", "common"}
+BELOW_DEXTERITY = COMMON | {"machine"}
 CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "study", "urdf_io"}
 LAYERS = {
     "": set(),
     "interval": set(),
-    "machine": {"interval"},
+    "common": {"interval"},
+    "machine": COMMON,
     "dexterity": BELOW_DEXTERITY,
     "region": BELOW_DEXTERITY | {"dexterity"},
     "paving": BELOW_DEXTERITY | {"dexterity"},

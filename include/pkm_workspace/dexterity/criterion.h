@@ -1,45 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <string>
-#include <vector>
 
-#include "pkm_workspace/interval/box.h"
-#include "pkm_workspace/processors.h"
+#include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/problems.h"
+#include "pkm_workspace/interval/interval.h"
 
 namespace pkm_workspace
 {
-/// Collects what is wrong with a user's values; each entry is one sentence with value, unit, range and place.
-using Problems = std::vector<std::string>;
-
-/// Throws all problems as one std::invalid_argument, one a line; does nothing when there are none.
-void throwProblems(const Problems& problems);
-
-/// Limits that any computation may be given. Values with defaults; validate() tells what is wrong.
-struct Budget
-{
-  double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
-  std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
-  int threads = processors();               ///< 1 to 1024; no answer depends on it
-  const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
-
-  void validate(Problems& problems) const;
-  /// Whether the stop flag is set or @p seconds is past the time limit.
-  bool isOver(double seconds) const;
-  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s"; empty when none of
-  /// the limits has.
-  std::string endedBy(double seconds, std::int64_t boxes) const;
-};
-
-/// Appends one sentence when a box of the user's is not finite or not in order; @p name says which box.
-void validateBox(const char* name, const Box& box, Problems& problems);
-/// Appends one sentence unless the value is positive and finite.
-void validatePositive(const char* name, double value, const char* unit, Problems& problems);
-/// Appends one sentence unless the value is from 1e-15 to 1.
-void validateShare(const char* name, double value, const char* unit, Problems& problems);
-
 /// What is asked of every point of a region (paper, section 2.1.1): that the struts reach it, and each of the bounds
 /// that are set. Values with defaults; validate() tells what is wrong.
 struct Criterion
@@ -90,14 +59,4 @@ bool operator==(const Criterion& a, const Criterion& b);
 
 /// All that the criterion asks for, in words; each number tells itself from all others.
 std::string describe(const Criterion& criterion);
-
-/// @return the value itself @throws std::invalid_argument with everything that its validate() finds
-template <class Values>
-const Values& validated(const Values& values)
-{
-  Problems problems;
-  values.validate(problems);
-  throwProblems(problems);
-  return values;
-}
 }  // namespace pkm_workspace

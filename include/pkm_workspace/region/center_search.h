@@ -4,7 +4,7 @@
 #include <queue>
 #include <vector>
 
-#include "pkm_workspace/dexterity/running_budget.h"
+#include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/interval/running_bracket.h"
 #include "pkm_workspace/parallel.h"

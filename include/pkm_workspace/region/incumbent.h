@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "pkm_workspace/dexterity/running_budget.h"
+#include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/local_search.h"

@@ -2,14 +2,32 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
 
-#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/common/problems.h"
+#include "pkm_workspace/processors.h"
 
 namespace pkm_workspace
 {
+/// Limits that any computation may be given. Values with defaults; validate() tells what is wrong.
+struct Budget
+{
+  double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
+  std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
+  int threads = processors();               ///< 1 to 1024; no answer depends on it
+  const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
+
+  void validate(Problems& problems) const;
+  /// Whether the stop flag is set or @p seconds is past the time limit.
+  bool isOver(double seconds) const;
+  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s"; empty when none of
+  /// the limits has.
+  std::string endedBy(double seconds, std::int64_t boxes) const;
+};
+
 /// A budget whose time has begun to run. Thread-safe.
 class RunningBudget
 {

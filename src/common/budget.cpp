@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/common/budget.h"
+
+#include <cmath>
+
+namespace pkm_workspace
+{
+void Budget::validate(Problems& problems) const
+{
+  if (!(time_limit >= 0.0) || !std::isfinite(time_limit))
+    complain(problems, "time_limit = ", time_limit, " s must be positive and finite, or 0 for none");
+  if (max_boxes < 0)
+    complain(problems, "max_boxes = ", max_boxes, " must be positive, or 0 for none");
+  if (threads < 1 || threads > 1024)
+    complain(problems, "threads = ", threads, " must be from 1 to 1024");
+}
+
+bool Budget::isOver(double seconds) const
+{
+  return (stop && *stop) || (time_limit > 0.0 && seconds >= time_limit);
+}
+
+std::string Budget::endedBy(double seconds, std::int64_t boxes) const
+{
+  TextStream text;
+  if (stop && *stop)
+    text << "a request to stop";
+  else if (max_boxes > 0 && boxes >= max_boxes)
+    text << "the limit of " << max_boxes << (max_boxes == 1 ? " box" : " boxes");
+  else if (isOver(seconds))
+    text << "the time limit of " << time_limit << " s";
+  return text.str();
+}
+
+}  // namespace pkm_workspace
