@@ -67,7 +67,10 @@ public:
   std::string description() const override
   {
     return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which "
-           "that is proved, and an upper bound above which no such region exists, wherever its center. Ctrl-C "
+           "that is proved, and an upper bound above which no such region exists, wherever its center. Along "
+           "parallel rails the center has the height of the zero configuration, or of the middle of --search-box; as "
+           "near "
+           "to it as the joint limits let the region. Ctrl-C "
            "ends the search with the best proved so far.";
   }
 

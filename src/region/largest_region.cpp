@@ -8,6 +8,7 @@
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_search.h"
 #include "pkm_workspace/region/largest_cylinder.h"
+#include "pkm_workspace/region/region_height.h"
 
 namespace pkm_workspace
 {
@@ -128,8 +129,7 @@ LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query
   validateAccuracy(machine, validated(query), problems);
   throwProblems(problems);
   LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
-  if (region.size > 0.0)
-    region.joint_ranges = jointRanges(machine, *region.shape, region.center, region.size);
+  settleHeight(machine, query, region);
   return region;
 }
 

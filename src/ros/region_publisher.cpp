@@ -6,6 +6,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "pkm_workspace/dexterity/defaults.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"
@@ -44,19 +45,32 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
-  const Paving* paving = pavingFor(question, stop);
+  const Paving* paving = pavingFor(question, region, stop);
   const auto shown = markersOf(region, *question.in.machine, paving, context_.parameters.show_boundary);
   markers_.publish(inRoot(shown, question.in, context_.frames.root().frame));
 }
 
-PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const
+/// Across parallel rails the plane of the region's center.
+Box RegionPublisher::pavedBox(const RegionQuestion& question, const Region& region)
 {
   const Machine& machine = *question.in.machine;
+  if (machine.hasParallelRails())
+  {
+    const int axis = mainAxisOfRails(machine);
+    const Eigen::Vector3d center = region.size > 0.0 ? fromMessage(region.center) : machine.zero();
+    return boundsAcrossRails(machine, question.query.criterion, axis, center[axis]);
+  }
   RegionQuery everywhere = question.query;
   everywhere.search_box.reset();
+  return centerSpace(machine, everywhere).centers;
+}
+
+PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question, const Region& region) const
+{
+  const Machine& machine = *question.in.machine;
   PavingQuery wanted;
   wanted.criterion = question.query.criterion;
-  wanted.box = centerSpace(machine, everywhere).centers;
+  wanted.box = pavedBox(question, region);
   wanted.resolution = context_.parameters.paving_resolution;
   if (wanted.resolution == 0.0)
     wanted.resolution = defaultResolution(machine, *wanted.box);
@@ -66,13 +80,13 @@ PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question) const
   return wanted;
 }
 
-const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const StopFlag& stop)
+const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
   if (!context_.parameters.show_paving)
     return nullptr;
   try
   {
-    PavingQuery wanted = pavingQuery(question);
+    PavingQuery wanted = pavingQuery(question, region);
     Problems differences;
     if (paving_)
       validateEarlier(*question.in.machine, wanted, *paving_, differences);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/region/center_search.h"
+#include "pkm_workspace/region/region_height.h"
 
 namespace pkm_workspace
 {
@@ -238,8 +239,7 @@ private:
       addCandidate({ part.parameters, part.bound });
     best_.range = query_.range;
     if (best_.region.size > 0.0)
-      best_.region.joint_ranges = jointRanges(query_.family.at(Interval(best_.parameter)), *best_.region.shape,
-                                              best_.region.center, best_.region.size);
+      settleHeight(query_.family.at(Interval(best_.parameter)), query_.region, best_.region);
     return best_;
   }
 

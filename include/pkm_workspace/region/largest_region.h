@@ -95,9 +95,8 @@ void conclude(LargestRegion& region, double accuracy, const std::string& ended_b
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; docs/theory.md). The search is over all centers of the workspace in the machine's aspect, or
-/// over the search box. Where all rails are parallel and joint limits are off, the coordinate of the center along which
-/// the rails run most is the one of the zero configuration, or the middle of the search box. With joint limits the
-/// region lies in the middle of the travel that they leave it; one strut beyond the limit where they bound one side.
+/// over the search box. Where all rails are parallel, the coordinate of the center along which the rails run most is
+/// the one of the zero configuration, or the middle of the search box; as near to it as joint limits leave it.
 /// @throws std::invalid_argument for a query that is not valid or has no bounded answer, with all reasons
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query);
 

@@ -50,7 +50,8 @@ public:
   }
   /// Whether the limits and the search box leave a region at these points of K a center.
   bool leavesCenter(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
-  /// The center in the middle of what they leave it, or one strut beyond the limit if there is but one.
+  /// The center in the middle of what they leave it, or one strut beyond the limit if there is but one: where a search
+  /// asks for it, which settleHeight() moves.
   Eigen::Vector3d centerAt(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
 
 private:

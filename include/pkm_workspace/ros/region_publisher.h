@@ -30,9 +30,10 @@ public:
 
 private:
   void moveMachine(const RegionQuestion& question, const Region& region);
-  PavingQuery pavingQuery(const RegionQuestion& question) const;
+  static Box pavedBox(const RegionQuestion& question, const Region& region);
+  PavingQuery pavingQuery(const RegionQuestion& question, const Region& region) const;
   /// The set that the region lies in; nothing where it is not to be shown or cannot be bounded.
-  const Paving* pavingFor(const RegionQuestion& question, const StopFlag& stop);
+  const Paving* pavingFor(const RegionQuestion& question, const Region& region, const StopFlag& stop);
 
   NodeContext& context_;
   Tool* const tool_;
