@@ -4,7 +4,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/machine/assembly.h"
 
 namespace pkm_workspace
 {
@@ -79,6 +79,11 @@ std::optional<Vector3d> inverseKinematics(const Machine& machine, const Vector3d
 
 std::optional<Vector3d> forwardKinematics(const Machine& machine, const Vector3d& rho)
 {
+  return assemble(machine, rho, machine.aspect());
+}
+
+std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, int aspect)
+{
   Matrix3d centers;
   Vector3d lengths;
   for (int i = 0; i < 3; ++i)
@@ -92,7 +97,7 @@ std::optional<Vector3d> forwardKinematics(const Machine& machine, const Vector3d
   for (const Vector3d& p : *points)
   {
     const Matrix3d struts = p.replicate<1, 3>() - centers;  // columns d_i
-    bool fits = machine.aspect() * struts.determinant() > 0.0;
+    bool fits = aspect * struts.determinant() > 0.0;
     for (int i = 0; i < 3; ++i)
       fits = fits && machine.leg(i).working_mode * struts.col(i).dot(mid(machine.leg(i).axis)) > 0.0;
     if (fits)

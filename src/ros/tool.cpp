@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pkm_workspace/machine/assembly.h"
 #include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/reply.h"
@@ -26,11 +27,19 @@ std::string limitObjection(const Machine& machine, const Configuration& there)
   return text;
 }
 
+/// The sign of det A that a criterion asks for; 0 for any.
+int signOf(Criterion::Aspect aspect, const Machine& machine)
+{
+  return aspect == Criterion::Aspect::BOTH  ? 0
+         : aspect == Criterion::Aspect::OWN ? machine.aspect()
+                                            : -machine.aspect();
+}
+
 std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, const Configuration& there)
 {
-  if (aspect == Criterion::Aspect::BOTH)
+  const int wanted = signOf(aspect, machine);
+  if (wanted == 0)
     return "";
-  const int wanted = aspect == Criterion::Aspect::OWN ? machine.aspect() : -machine.aspect();
   const bool fits = wanted > 0 ? there.det_a.certainlyPositive() : there.det_a.certainlyNegative();
   return fits ? "" : "at or beyond a parallel singularity: det A does not have the sign of the aspect";
 }
@@ -38,7 +47,7 @@ std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, co
 
 Tool::Tool(NodeContext& context) : context_(context), joint_states_(context.node, context.urdf)
 {
-  state_.point = context.machine().zero();
+  state_ = { context.machine().zero(), objectionTo(context.machine().zero()) };
   if (context.private_node.resolveName("rail_states") == context.node.resolveName("joint_states"))
     throw std::invalid_argument("topic ~rail_states is joint_states, on which this node publishes: remap it elsewhere");
   const boost::function<void(const geometry_msgs::PoseStamped&)> on_pose = [this](const auto& pose) {
@@ -71,10 +80,19 @@ void Tool::follow(const sensor_msgs::JointState& rails)
   Problems problems;
   requireFinite("position", rho, problems);
   throwProblems(problems);
-  if (const auto p = forwardKinematics(context_.machine(), rho))
+  if (const auto p = assemble(context_.machine(), rho, aspect()))
     lead(*p);
   else
     stopBefore(rho);
+}
+
+int Tool::aspect() const
+{
+  const Machine& machine = context_.machine();
+  if (const int asked = signOf(context_.query().criterion.aspect, machine))
+    return asked;
+  const auto here = configurationAt(machine, state().point);
+  return !here || here->det_a.contains(0.0) ? machine.aspect() : here->det_a.certainlyPositive() ? 1 : -1;
 }
 
 void Tool::stopBefore(Eigen::Vector3d bad)
@@ -84,11 +102,12 @@ void Tool::stopBefore(Eigen::Vector3d bad)
   const auto here = inverseKinematics(context_.machine(), point);
   if (!here)
     return;
+  const int sign = aspect();
   Eigen::Vector3d good = *here;
   for (int k = 0; k < HALVINGS; ++k)
   {
     const Eigen::Vector3d between = 0.5 * (good + bad);
-    const auto p = forwardKinematics(context_.machine(), between);
+    const auto p = assemble(context_.machine(), between, sign);
     const bool is_good = p && objectionTo(*p).empty();
     (is_good ? good : bad) = between;
     if (is_good)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <pkm_workspace/SetCriterion.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_ros/transform_listener.h>
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
@@ -13,6 +14,7 @@
 #include <functional>
 
 #include "node_client.h"
+#include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
@@ -87,6 +89,25 @@ protected:
     message.pose.position.y = p.y();
     message.pose.position.z = p.z();
     pose_.publish(message);
+  }
+
+  void publishRails(const Machine& machine, const Eigen::Vector3d& rho)
+  {
+    sensor_msgs::JointState rails;
+    for (const int leg : { 2, 0, 1 })
+    {
+      rails.name.push_back(machine.leg(leg).joint);
+      rails.position.push_back(rho[leg]);
+    }
+    rails_.publish(rails);
+  }
+
+  static void setAspect(std::uint8_t aspect)
+  {
+    SetCriterion::Request request;
+    request.criterion.aspect = aspect;
+    const auto response = call<SetCriterion>("set_criterion", request);
+    EXPECT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
   }
 
   void drag(const std::string& name, const Eigen::Vector3d& p)

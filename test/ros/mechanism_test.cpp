@@ -2,6 +2,7 @@
 // The closed mechanism in tf: it follows poses, rails and the handle of rviz, and stays closed.
 #include "mechanism.h"
 
+#include "pkm_workspace/machine/assembly.h"
 #include "pkm_workspace/machine/catalogue.h"
 
 namespace pkm_workspace
@@ -22,13 +23,29 @@ TEST_F(Mechanism, followsItsRailsByForwardKinematics)
   const Machine machine = orthoglidePrototype();
   const auto rho = inverseKinematics(machine, NEAR_ZERO);
   ASSERT_TRUE(rho);
-  sensor_msgs::JointState rails;
-  for (const int leg : { 2, 0, 1 })
-  {
-    rails.name.push_back(machine.leg(leg).joint);
-    rails.position.push_back((*rho)[leg]);
-  }
-  rails_.publish(rails);
+  publishRails(machine, *rho);
+  EXPECT_LE(gapOnceAt(NEAR_ZERO), 1e-9);
+}
+
+// The same rails carry an assembly in each aspect: det A there has the sign that the node's criterion asks for.
+TEST_F(Mechanism, isAssembledInTheAspectThatIsAskedFor)
+{
+  const Machine machine = orthoglidePrototype();
+  const auto rho = inverseKinematics(machine, NEAR_ZERO);
+  const auto other = assemble(machine, *rho, -machine.aspect());
+  ASSERT_TRUE(other);
+  publishPose(NEAR_ZERO);
+  gapOnceAt(NEAR_ZERO);
+  setAspect(CriterionRequest::OTHER);
+  markers("tool_markers",
+          [](const auto& found) { return hasText(found, "det A does not have the sign of the aspect"); });
+  publishRails(machine, *rho);
+  EXPECT_LE(gapOnceAt(*other), 1e-9);
+  const auto there = configurationAt(machine, *other);
+  ASSERT_TRUE(there);
+  EXPECT_TRUE((Interval(machine.aspect()) * there->det_a).certainlyNegative());
+  setAspect(CriterionRequest::OWN);
+  publishRails(machine, *rho);
   EXPECT_LE(gapOnceAt(NEAR_ZERO), 1e-9);
 }
 

@@ -46,6 +46,9 @@ public:
 private:
   void follow(const geometry_msgs::PoseStamped& pose);
   void follow(const sensor_msgs::JointState& rails);
+  /// The sign of det A with which rails are assembled: the one that the node's criterion asks for, with both aspects
+  /// the one where the tool is.
+  int aspect() const;
   /// As far as there is an assembly on the way to these joint values.
   void stopBefore(Eigen::Vector3d bad);
   ToolState go(const ToolState& state);
