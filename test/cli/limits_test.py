@@ -5,7 +5,7 @@
 import re
 import unittest
 
-from pkm import DATA, ORTHOGLIDE, CommandTest
+from pkm import DATA, ORTHOGLIDE, URANESX, CommandTest, run
 
 LEAN = str(DATA / "lean_delta.urdf")  # rails that lean by 0.8 degrees; limits -0.34 and 0.35 m
 DISC = ("--shape", "disc", "--psi-min", 0.3, "--psi-max", 2.5, "--max-boxes", 2000)
@@ -64,6 +64,16 @@ class Limits(CommandTest):
                 self.assertNotRegex(kept["message"], "Joint limits are off")
         within = self.answer("evaluate", "--urdf", near, "--point", 0, 0, 0, "--joint-limits", "off")
         self.assertRegex(within["message"], "Joint limits are off: all rails stay within their limits.$")
+
+    def test_a_set_that_limits_leave_without_an_end_names_the_rails_and_the_remedy(self):
+        """Limits of a thousand kilometres: only a box bounds what lies along parallel rails."""
+        far = self.file("far.urdf", self.with_limits(URANESX, -0.05, 1e6))
+        refused = run("pave", "--urdf", far)
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "longer than 1000 struts; the rails go: 'rail_1' from -0.05 to 1.* m, "
+                         "'rail_2' .*: ask for closer joint limits at both ends of a rail, or for a --box$")
+        box = ("--box", -0.2, 0.2, -0.2, 0.2, -1, 0)
+        self.assertGreater(self.answer("pave", "--urdf", far, *box)["volume_lower"], 0.0)
 
     def test_rails_that_hardly_lean_are_answered_as_their_neighbours(self):
         answer = self.answer("largest", "--urdf", DATA / "lean_rails.urdf", "--max-boxes", 2000)

@@ -130,7 +130,17 @@ TEST(Paving, findsItsOwnBoxAndRefusesAnUnboundedOne)
   Machine::Legs legs = uranesx().legs();
   legs[1].limits = Interval(-0.1, std::numeric_limits<double>::infinity());
   const Machine half_bounded("half_bounded", legs, uranesx().zero());
-  test::expectThrow<Unbounded>([&] { pave(half_bounded, wanted); }, "parallel.*1000 struts$");
+  const std::string rails =
+      "parallel.*1000 struts; the rails go: 'rail_1' without limits, 'rail_2' from -0.1 m upwards, 'rail_3' without "
+      "limits";
+  test::expectThrow<Unbounded>([&] { pave(half_bounded, wanted); }, rails + "$");
+  test::expectThrow<std::invalid_argument>(
+      [&] {
+        withRemedy({ "joint_limits = ON", "a box by use_box" }, [&] { return pave(half_bounded, wanted); });
+      },
+      rails + ": ask for closer joint limits at both ends of a rail, or for a box by use_box$");
+  wanted.box = Box{ { -0.2, -0.2, -1.0 }, { 0.2, 0.2, 0.0 } };
+  EXPECT_GT(pave(half_bounded, wanted).volume_inside, 0.0);
 }
 
 TEST(PavingQuery, refusesEverythingThatIsOutOfRangeAtOnce)
