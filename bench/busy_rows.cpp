@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,6 +20,9 @@ namespace bench
 {
 namespace
 {
+/// More threads than most machines have processors.
+constexpr int MANY = 16;
+
 /// Keeps every processor busy for as long as it lives.
 class BusyLoops
 {
@@ -75,13 +79,18 @@ void paveCube(int threads)
   pave(orthoglide(), query);
 }
 
+std::string wayOf(int threads)
+{
+  return threads == 1 ? "one thread"
+                      : std::to_string(threads) + " threads" + (threads == processors() ? ", the default" : "");
+}
+
 void addRowsOf(const std::string& name, const std::string& accuracy, const std::function<void(int)>& compute)
 {
   for (const bool is_busy : { false, true })
-    for (const int threads : { 1, std::max(2, processors()) })
+    for (const int threads : std::set<int>{ 1, processors(), MANY })
       addRow(
-          name + (is_busy ? ", a busy loop on every processor" : ", idle machine"), accuracy,
-          threads == 1 ? "one thread" : std::to_string(threads) + " threads", 5,
+          name + (is_busy ? ", a busy loop on every processor" : ", idle machine"), accuracy, wayOf(threads), 5,
           [=](benchmark::State& state) { measureBeside(state, is_busy ? processors() : 0, [&] { compute(threads); }); })
           ->UseRealTime();
 }
