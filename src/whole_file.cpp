@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr int RANDOM_DIGITS = 16;
 constexpr int MOST_LINKS = 40;
+constexpr int MOST_DRAFTS = 10;
 const std::string ENDING = ".part";
 
 /// What a symbolic link stands for in the end.
@@ -129,11 +130,11 @@ public:
   }
 
 private:
-  /// A draft that was not locked yet may have been taken for one that was left.
+  /// A draft that was not locked yet may have been taken for one that was left. Some file systems count no links.
   void create()
   {
     struct stat status = {};
-    while (status.st_nlink == 0)
+    for (int turn = 0; turn < MOST_DRAFTS && status.st_nlink == 0; ++turn)
     {
       if (file_ >= 0)
         close(file_);

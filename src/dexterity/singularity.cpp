@@ -2,12 +2,14 @@
 #include "pkm_workspace/dexterity/singularity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <vector>
 
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/dexterity/zero_between.h"
 #include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
@@ -24,8 +26,6 @@ constexpr std::size_t PARALLEL = 3;
 constexpr double FINE = 1e-6;  ///< size of the box around a singularity that is looked for, in struts
 /// How much larger, on each side, a box is made to find a zero on its faces: share of its widths.
 constexpr double MARGIN = 0.125;
-/// Where a line is divided in search of a zero; the second place is for a zero at the first.
-constexpr double DIVISIONS[] = { 0.5, 0.4375 };
 /// Boxes between two looks at the clock.
 constexpr std::int64_t CLOCK = 256;
 
@@ -221,23 +221,10 @@ private:
     const auto at = [this](const Vector3d& point) { return look({ point, point }).measure; };
     if (!(at(low).upper() <= 0.0 && at(high).lower() >= 0.0))
       return std::nullopt;
-    bool is_narrower = true;
-    while (is_narrower && (high - low).squaredNorm() > FINE * FINE * model_.squaredScale())
-    {
-      is_narrower = false;
-      for (std::size_t k = 0; k < std::size(DIVISIONS) && !is_narrower; ++k)
-      {
-        const Vector3d point = DIVISIONS[k] * low + (1.0 - DIVISIONS[k]) * high;
-        const Form value = at(point);
-        if (!(value.upper() <= 0.0 || value.lower() >= 0.0))
-          continue;
-        Vector3d& end = value.upper() <= 0.0 ? low : high;
-        const Vector3d& other = value.upper() <= 0.0 ? high : low;
-        is_narrower = (other - point).squaredNorm() < (high - low).squaredNorm();  // not where doubles end
-        if (is_narrower)
-          end = point;
-      }
-    }
+    narrowZero(low, high, FINE * std::sqrt(model_.squaredScale()), [&at](const Vector3d& point) {
+      const Form value = at(point);
+      return value.upper() <= 0.0 ? -1 : value.lower() >= 0.0 ? 1 : 0;
+    });
     return Box{ low.cwiseMin(high), low.cwiseMax(high) };
   }
 
