@@ -8,6 +8,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/binding_limit.h"
+#include "pkm_workspace/report/containment_sentence.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -53,8 +54,9 @@ public:
                    "full sides of the box along x, y and z; 0 for no thickness, at least one above 0");
     options.require({ "sides" });
     criterion_options_.declare(options, criterion_);
-    options.count("max-boxes", max_boxes_, MOST_BOXES, "boxes looked at before it ends undecided");
-    declareTimeLimit(options, time_limit_);
+    budget_.max_boxes = 1000000;
+    options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
+    declareTimeLimit(options, budget_.time_limit);
     options.flag("progress", progress_, PROGRESS_HELP);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     options.check({ "sides" }, [this](Problems& problems) { setShape(problems); });
@@ -69,12 +71,12 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    const std::atomic<bool>* stop = stopOnSignalOrAfter(time_limit_);
     const Progress progress(progress_);
     const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
     if (centers_)
-      return answerForAll(test, stop);
-    const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, max_boxes_, stop);
+      return answerForAll(test);
+    budget_.stop = stopOnSignal();
+    const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, budget_);
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
     json["center"] = toJson(*center_);
@@ -90,10 +92,10 @@ public:
 
 private:
   /// The paper's G(B, w).
-  Answer answerForAll(const BoxTest& test, const std::atomic<bool>* stop) const
+  Answer answerForAll(const BoxTest& test) const
   {
     BisectionLimits limits;
-    limits.stop = stop;
+    limits.stop = stopOnSignalOrAfter(budget_.time_limit);
     limits.center_width *= machine_.machine().scale();
     limits.part_width *= machine_.machine().scale();
     const Share share = checkCenters(test, *centers_, *sides_, limits);
@@ -101,7 +103,7 @@ private:
     json["share"] = nameOf(share);
     json["centers"] = toJson(*centers_);
     json["sides"] = toJson(*sides_);
-    const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(time_limit_) : "";
+    const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(budget_.time_limit) : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
                              ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + reason + ".";
     return { json, wrapped(text) + wrapped(definition(machine_.machine(), criterion_)) };
@@ -132,11 +134,8 @@ private:
       const std::string remark = criterion_.joint_limits ? "" : remarkOnLimits(machine_.machine(), criterion_, reach());
       return "Proved: every point of the box is " + quality(criterion_) + "." + (remark.empty() ? "" : " ") + remark;
     }
-    if (result.verdict == Containment::UNDECIDED && isTimeOver())
-      return "Neither is proved: " + timeIsOver(time_limit_) + ".";
     if (result.verdict == Containment::UNDECIDED)
-      return "Neither is proved: the border of the set is within rounding of the box, or " +
-             std::to_string(max_boxes_) + " boxes (--max-boxes) were not enough.";
+      return "Neither is proved: " + whyUndecided(result, budget_) + ".";
     if (result.bad_within > 0.0)
       return "Proved: no further than " + roundedUp(result.bad_within, 17) +
              " m from the bad point the box has a point where two struts are one vector, so that det A is 0: a "
@@ -167,8 +166,7 @@ private:
   std::optional<Box> centers_;
   bool multi_precision_ = false;
   ShapePtr shape_;
-  std::int64_t max_boxes_ = 1000000;
-  double time_limit_;
+  Budget budget_;
   bool progress_ = false;
 };
 }  // namespace

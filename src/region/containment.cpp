@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -18,6 +19,8 @@ namespace
 constexpr int STEPS = 8;
 /// Parts that are looked at side by side.
 constexpr std::size_t BATCH = 8;
+/// Batches between two looks at the clock.
+constexpr std::int64_t CLOCK = 32;
 /// The thinnest and the thickest slab that is cut off a part, as shares of its widest side. Chosen by counting boxes.
 constexpr double LEAST_CUT = 1.0 / 16.0;
 constexpr double MOST_CUT = 0.5;
@@ -57,30 +60,47 @@ Cut cutOff(const Box& part, const AffineForm<double>& form)
 class Proof
 {
 public:
-  Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
+  Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size, const Budget& budget)
     : test_(test)
+    , budget_(budget)
     , search_(test, shape, center, size)
     , crossing_(test.spheres())
     , shape_(shape)
     , center_(center)
     , size_(size)
+    , begin_(std::chrono::steady_clock::now())
   {}
 
-  ContainmentResult run(std::int64_t max_boxes, const std::atomic<bool>* stop)
+  ContainmentResult run()
   {
-    if (refuteAtExtremes() || refuteAtSpheres() || !aspectIsRight())
-      return result_;
-    divideAtCenter(shape_.boundingBox(center_, size_));
-    while (!open_.empty())
-    {
-      if (result_.boxes >= max_boxes || (stop && *stop) || !lookAtBatch(max_boxes - result_.boxes))
-        return result_;
-    }
-    result_.verdict = Containment::INSIDE;
+    prove();
+    result_.seconds = seconds();
     return result_;
   }
 
 private:
+  void prove()
+  {
+    if (refuteAtExtremes() || refuteAtSpheres())
+      return;
+    result_.is_within_rounding = !aspectIsRight();
+    if (result_.is_within_rounding)
+      return;
+    divideAtCenter(shape_.boundingBox(center_, size_));
+    while (!open_.empty())
+      if (isOver() || !lookAtBatch())
+        return;
+    result_.verdict = Containment::INSIDE;
+  }
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+  bool isOver()
+  {
+    return (budget_.max_boxes > 0 && result_.boxes >= budget_.max_boxes) ||
+           budget_.isOver(batches_++ % CLOCK == 0 ? seconds() : 0.0);
+  }
+
   /// The first looks would be lost: halves along every axis at once.
   void divideAtCenter(const Box& bounds)
   {
@@ -133,8 +153,10 @@ private:
   }
 
   /// Looks at the next parts, divides those that stay undecided. @return whether the proof can go on
-  bool lookAtBatch(std::int64_t allowed)
+  bool lookAtBatch()
   {
+    const std::int64_t allowed =
+        budget_.max_boxes > 0 ? budget_.max_boxes - result_.boxes : static_cast<std::int64_t>(BATCH);
     std::array<Box, BATCH> parts;
     std::size_t count = 0;
     for (; count < BATCH && static_cast<std::int64_t>(count) < allowed && !open_.empty(); open_.pop_back())
@@ -194,7 +216,8 @@ private:
 
   bool divide(const Box& part, const AffineForm<double>& worst)
   {
-    if (test_.isBeyondPrecision(part))
+    result_.is_within_rounding = test_.isBeyondPrecision(part);
+    if (result_.is_within_rounding)
       return false;
     const Cut cut = cutOff(part, worst);
     const auto halves = part.splitAt(cut.axis, cut.plane);
@@ -204,11 +227,14 @@ private:
   }
 
   const BoxTest& test_;
+  const Budget& budget_;
   BadPointSearch search_;
   SphereCrossing crossing_;
   const Shape& shape_;
   Eigen::Vector3d center_;
   double size_;
+  const std::chrono::steady_clock::time_point begin_;
+  std::int64_t batches_ = 0;
   double least_margin_ = std::numeric_limits<double>::infinity();
   std::vector<Box> open_;
   ContainmentResult result_;
@@ -216,8 +242,16 @@ private:
 }  // namespace
 
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
-                                   std::int64_t max_boxes, const std::atomic<bool>* stop)
+                                   const Budget& budget)
 {
-  return Proof(test, shape, center, size).run(max_boxes, stop);
+  return Proof(test, shape, center, size, budget).run();
+}
+
+ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
+                                   std::int64_t max_boxes)
+{
+  Budget budget;
+  budget.max_boxes = max_boxes;
+  return checkContainment(test, shape, center, size, budget);
 }
 }  // namespace pkm_workspace

@@ -29,9 +29,9 @@ ContainmentResult Incumbent::certify(const Candidate& region)
 {
   if (!asksFor(region.size))
     return {};
-  const std::int64_t most = std::min(VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
-  const ContainmentResult proof =
-      checkContainment(test_, *query_.shape, region.center, region.size, most, query_.budget.stop);
+  Budget budget = budget_.rest();
+  budget.max_boxes = std::min(VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
+  const ContainmentResult proof = checkContainment(test_, *query_.shape, region.center, region.size, budget);
   boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
   {

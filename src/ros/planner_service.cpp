@@ -4,6 +4,7 @@
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/binding_limit.h"
+#include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/path_message.h"
@@ -23,12 +24,12 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue)
   return node;
 }
 
-std::string sentence(const ContainmentResult& result, const PointEvaluator& evaluator)
+std::string sentence(const ContainmentResult& result, const PointEvaluator& evaluator, const Budget& budget)
 {
   if (result.verdict == Containment::INSIDE)
     return "proved: every point of the region satisfies the criterion";
   if (result.verdict == Containment::UNDECIDED)
-    return "undecided: the border is within rounding, or more boxes are needed";
+    return "undecided: " + whyUndecided(result, budget);
   if (result.bad_within > 0.0)
     return "proved: within rounding of the bad point two struts are one vector, det A is 0: a parallel singularity";
   return "proved: the bad point violates the criterion; " +
@@ -104,14 +105,15 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   if (request.max_boxes < 0)
     problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for 1000000");
   throwProblems(problems);
-  const ContainmentResult result =
-      checkContainment(evaluator->test(), *solid.shape, center, solid.size,
-                       request.max_boxes == 0 ? MAX_BOXES : request.max_boxes, crew_.stopFlag());
+  Budget budget = context_.parameters.query.budget;
+  budget.max_boxes = request.max_boxes == 0 ? MAX_BOXES : request.max_boxes;
+  budget.stop = crew_.stopFlag();
+  const ContainmentResult result = checkContainment(evaluator->test(), *solid.shape, center, solid.size, budget);
   response.verdict = constantOf(result.verdict);
   response.boxes = result.boxes;
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
-  response.message = sentence(result, *evaluator);
+  response.message = sentence(result, *evaluator, budget);
   if (result.verdict == Containment::INSIDE && !asksForLimits(*evaluator))
     addRemark(*evaluator, reachOver(evaluator->machine(), *solid.shape, center, solid.size), response);
 }

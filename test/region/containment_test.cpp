@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pkm_workspace/report/containment_sentence.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -86,9 +87,33 @@ TEST(Containment, findsATinySpotInside)
 TEST(Containment, endsWithItsBudget)
 {
   const BoxTest test(orthoglide(), Criterion());
-  EXPECT_EQ(checkContainment(test, *makeCube(), CUBE_CENTER, 0.6439, 5).verdict, Containment::UNDECIDED);
+  const auto expectUndecided = [&test](const Budget& budget, double size, const std::string& why) {
+    const ContainmentResult result = checkContainment(test, *makeCube(), CUBE_CENTER, size, budget);
+    EXPECT_EQ(result.verdict, Containment::UNDECIDED);
+    EXPECT_EQ(whyUndecided(result, budget), why);
+  };
+  Budget budget;
+  budget.max_boxes = 5;
+  expectUndecided(budget, 0.6439, "the limit of 5 boxes ended the proof");
+  budget = Budget();
+  budget.time_limit = 1e-9;
+  expectUndecided(budget, 0.6439, "the time limit of 1e-09 s ended the proof");
   const std::atomic<bool> stop(true);
-  EXPECT_EQ(checkContainment(test, *makeCube(), CUBE_CENTER, 0.6439, 1000000, &stop).verdict, Containment::UNDECIDED);
+  budget.stop = &stop;
+  expectUndecided(budget, 0.6439, "a request to stop ended the proof");
+}
+
+// A line from the middle to where two struts only just reach.
+TEST(Containment, saysWhereTheBorderIsWithinRounding)
+{
+  Criterion reachable;
+  reachable.set = Criterion::Set::REACHABLE;
+  const BoxTest test(orthoglide(), reachable);
+  const Budget budget;
+  const ContainmentResult result = checkContainment(test, *makeBox({ 1.0, 0.0, 0.0 }), { 0.5, 0.0, 0.0 }, 1.0, budget);
+  EXPECT_EQ(result.verdict, Containment::UNDECIDED);
+  EXPECT_TRUE(result.is_within_rounding);
+  EXPECT_EQ(whyUndecided(result, budget), "the border of the set is within rounding of the region");
 }
 
 TEST(Shape, refusesProportionsThatMakeNoBox)

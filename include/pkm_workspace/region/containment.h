@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -24,11 +23,16 @@ struct ContainmentResult
   /// With OUTSIDE: a point of the region that is proved to be bad, or no further from one than bad_within [m].
   std::optional<Eigen::Vector3d> bad_point;
   double bad_within = 0.0;  ///< above 0 where two struts are one vector at the bad point, a singularity [m]
-  std::int64_t boxes = 0;   ///< boxes looked at
+  /// With UNDECIDED: the border of the set is within rounding of the region, and no budget would settle it.
+  bool is_within_rounding = false;
+  std::int64_t boxes = 0;  ///< boxes looked at
+  double seconds = 0.0;
 };
 
 /// Whether c + h K satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.
-/// @param max_boxes budget @param stop when set, ends the proof: UNDECIDED
+/// @param budget when it is over, the proof ends: UNDECIDED
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
-                                   std::int64_t max_boxes = 1000000, const std::atomic<bool>* stop = nullptr);
+                                   const Budget& budget);
+ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
+                                   std::int64_t max_boxes = 1000000);
 }  // namespace pkm_workspace
