@@ -131,23 +131,43 @@ BoxTree BoxTree::coarsened(std::int64_t most) const
   return coarse;
 }
 
-std::vector<std::vector<Box>> BoxTree::boxes(CellState state) const
+void BoxTree::each(CellState state, std::size_t most,
+                   const std::function<void(std::size_t level, const std::vector<Box>&)>& take) const
 {
-  std::vector<std::vector<Box>> found(levels());
+  std::vector<Box> found;
+  const auto hand = [&](std::size_t level, std::size_t least) {
+    if (found.size() < least)
+      return;
+    take(level, found);
+    found.clear();
+  };
   std::vector<Cell> cells = { Cell{ 0, 0, 0 } };
   for (std::size_t level = 0; level < levels(); ++level)
   {
     std::vector<Cell> next;
+    next.reserve(2 * static_cast<std::size_t>(count(CellState::SPLIT, level)));
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
       if (levels_[level][k] == state)
-        found[level].push_back(bisection_.box(cells[k], level));
+        found.push_back(bisection_.box(cells[k], level));
       if (levels_[level][k] == CellState::SPLIT)
         for (const std::uint32_t side : { 0U, 1U })
           next.push_back(bisection_.half(cells[k], level, side));
+      hand(level, most);
     }
+    hand(level, 1);
     cells = std::move(next);
   }
+}
+
+std::vector<std::vector<Box>> BoxTree::boxes(CellState state) const
+{
+  std::vector<std::vector<Box>> found(levels());
+  for (std::size_t level = 0; level < levels(); ++level)
+    found[level].reserve(static_cast<std::size_t>(count(state, level)));
+  each(state, 1 << 16, [&found](std::size_t level, const std::vector<Box>& boxes) {
+    found[level].insert(found[level].end(), boxes.begin(), boxes.end());
+  });
   return found;
 }
 }  // namespace pkm_workspace

@@ -17,6 +17,8 @@ using Form = AffineForm<double>;
 constexpr double FLAT = 1e-3;
 /// Boxes that a thread takes at a time.
 constexpr std::size_t CHUNK = 256;
+/// Boxes that are held at a time.
+constexpr std::size_t BLOCK = 256 * CHUNK;
 
 Interval withinShares(const Interval& x)
 {
@@ -126,10 +128,7 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
   ThreadPool pool(budget.threads);
   const BoxTree& tree = paving.tree;
   Interval volume = paving.volume_inside;
-  const auto boundary = tree.boxes(CellState::BOUNDARY);
-  for (std::size_t level = 0; level < boundary.size(); ++level)
-  {
-    const std::vector<Box>& boxes = boundary[level];
+  tree.each(CellState::BOUNDARY, BLOCK, [&](std::size_t level, const std::vector<Box>& boxes) {
     std::vector<Interval> shares((boxes.size() + CHUNK - 1) / CHUNK);
     pool.forEach(shares.size(), [&](std::size_t chunk) {
       const bool stopped = running.isOver();
@@ -138,7 +137,7 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
     });
     for (const Interval& share : shares)
       volume += share * tree.bisection().volume(level);
-  }
+  });
   const Interval pending = tree.volume(CellState::PENDING);
   return volume + Interval(0.0, pending.upper());
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "pkm_workspace/interval/box.h"
@@ -87,7 +88,10 @@ public:
   /// The same boxes as coarsely as it takes for no more than @p most that are not OUTSIDE (or one): boxes below a level
   /// are left out, and those of that level that hold them are BOUNDARY.
   BoxTree coarsened(std::int64_t most) const;
-  /// The boxes of that state, for each level.
+  /// Called with the boxes of that state, level by level, no more than @p most at a time.
+  void each(CellState state, std::size_t most,
+            const std::function<void(std::size_t level, const std::vector<Box>&)>& take) const;
+  /// All of them, for each level.
   std::vector<std::vector<Box>> boxes(CellState state) const;
 
 private:
