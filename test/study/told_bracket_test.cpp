@@ -2,6 +2,8 @@
 // What is told while a search goes on, and what shorter searches answer: brackets only get narrower.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "pkm_workspace/interval/running_bracket.h"
 #include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/region/largest_region.h"
@@ -115,6 +117,33 @@ TEST(ToldBrackets, shrinkInStudies)
   const LargestRegion region = findBestParameter(query).region;
   sizes.tell(region.size, region.size_upper_bound);
   EXPECT_GE(sizes.told(), 20);
+}
+
+/// Of the last bracket in a text: "size 0.61 to 0.66".
+void tellLast(const std::string& text, Watch& watch)
+{
+  std::smatch found;
+  if (std::regex_search(text, found, std::regex(R"((\S+) to (\S+?)( m\^3)?$)")))
+    watch.tell(std::stod(found[1]), std::stod(found[2]));
+}
+
+void expectToldComparisonShrinks(const Machine& machine, RegionQuery query)
+{
+  SCOPED_TRACE(machine.name());
+  Watch watch;
+  query.progress_period = 0.0;
+  const Comparison study =
+      comparisonOf(machine, query, 0.1, [&watch](const std::string& text) { tellLast(text, watch); });
+  EXPECT_GE(watch.told(), 3);
+  const LargestRegion& region = study.region;
+  query.ratio ? watch.tell(region.volume, region.volume_upper_bound) : watch.tell(region.size, region.size_upper_bound);
+}
+
+TEST(ToldBrackets, shrinkInComparisons)
+{
+  expectToldComparisonShrinks(orthoglide(), queryFor("cube", 1e-6, 150));
+  expectToldComparisonShrinks(test::crooked(4), queryFor("disc", 1e-3, 150));
+  expectToldComparisonShrinks(orthoglide(), cylinderQuery(1e-2, 1000));
 }
 
 // What is inside only gets more, what is undecided only less.
