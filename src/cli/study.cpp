@@ -207,13 +207,22 @@ private:
 
   std::string proof(const BestParameter& best) const
   {
-    const std::string shape = best.region.shape->name();
-    if (best.region.size == 0.0)
-      return "Proved: no machine of the range has a " + shape + " of a size above the upper bound.";
-    return "Proved: the machine with this parameter has the " + shape + " with this center and the lower size; no " +
-           "machine of the range has one above the upper bound; and only where it is said above may a machine have "
-           "one " +
-           "that is larger than the lower size.";
+    const LargestRegion& region = best.region;
+    const std::string shape = region.shape->name();
+    const int decimals = decimalsFor(region.size, region.size_upper_bound);
+    const std::string above = " of a size above " + roundedUp(region.size_upper_bound, decimals);
+    if (region.size == 0.0)
+      return "Proved: no machine of the range has a " + shape + above + ".";
+    const std::string unit = query_.family.unit.empty() ? "" : " " + query_.family.unit;
+    Words where;
+    for (const StudyPart& part : best.candidates)
+      where.push_back("from " + describe(part.parameters) + unit);
+    return "Proved: the machine with " + query_.family.parameter + " = " + exact(best.parameter) + unit + " has the " +
+           shape + " of size " + roundedDown(region.size, decimals) + " with its center at " +
+           cli::describe(region.center) + "; no machine of the range has one" + above + "; and none has a larger one" +
+           (where.empty()
+                ? "."
+                : " than this machine but with " + query_.family.parameter + " " + joined(where, " or ") + ".");
   }
 
   std::string machine_;

@@ -45,7 +45,7 @@ WRONG = {
                     times("factor\\s+(?:reaches|is\\s+above|is\\s+below)\\s+", 2)),
     "volume": (times("have an? (?:volume|area) of ", 3), ),
     "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"), times(r"\|eta\| \[m\] (?=0\.\d*[1-9])", 2)),
-    "study": (times(r"edge \[m\] +[\d.]+ to ", 0.8), times(r"edge \[m\] +", 1.2)),
+    "study": (times(r"of\s+a\s+size\s+above\s+", 0.8), times(r"of\s+size\s+", 1.2)),
     "comparison": (times(r"cube: edge \[m\] +\w+ +", 1.3), times(r"volume for these strokes \[m\^3\] +\w+ +", 9)),
     "evaluation": (instead("yes", "no"), instead(r"no \(", "yes (")),
 }

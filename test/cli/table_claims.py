@@ -81,14 +81,14 @@ def singularities(case, match):
 def study(case, match):
     shape = re.search(r"^Largest (\w+)", case.text)[1]
     low, high = (float(x) for x in re.search(rf"with \S+ from {N} to {N}", case.text).groups())
-    lower, upper = bracket(row(case.text, "edge [m]"))
+    lower, upper = float(match["size"] or 0), float(match["above"])
     parameters = [low + (high - low) * k / 12 for k in range(13)]
-    where = [[float(x) for x in found] for found in re.findall(rf"larger at most at +{N} to {N} m", case.text)]
+    where = [[float(x) for x in found] for found in re.findall(rf"from {N} to {N} m", match["where"] or "")]
     center = without_region(case, shape)[1].center
     if not match["none"]:
-        center = [float(x) for x in re.findall(N, row(case.text, "center"))]
+        center = [float(x) for x in re.findall(N, match["center"])]
         best = Region(shape, [lower, lower, 0], center)
-        case.machine = case.family(row(case.text, "R-r").split()[0])
+        case.machine = case.family(match["parameter"])
         hold(not best.bad(case.machine, case.criterion, case.rng), "the best machine has no such region")
     for parameter in parameters:
         case.machine = case.family(parameter)
