@@ -72,8 +72,8 @@ std::string textOf(const ContainmentResult& result)
     return "undecided: its border is too near";
   TextStream text;
   const Eigen::Vector3d& bad = *result.bad_point;
-  text << "outside: bad near (" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", " << nearly(bad.z(), 4)
-       << ") m";
+  text << "outside: a bad point is near (" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", "
+       << nearly(bad.z(), 4) << ") m";
   return text.str();
 }
 
