@@ -156,17 +156,18 @@ void declareTimeLimit(Options& options, double& time_limit)
 
 void declareBudget(Options& options, Budget& budget)
 {
+  constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
+  budget.max_memory = DEFAULT_MEMORY;
   declareTimeLimit(options, budget.time_limit);
   options.count("max-boxes", budget.max_boxes, MOST_BOXES,
                 "boxes looked at before it ends with the best proved so far; without it, no limit");
-  options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");
-}
-
-void declareMemory(Options& options, std::int64_t& max_memory)
-{
-  constexpr std::int64_t MOST_BYTES = std::int64_t(1) << 50;
-  options.count("max-memory", max_memory, MOST_BYTES,
+  options.count("max-memory", budget.max_memory, MOST_BYTES,
                 "bytes that boxes may take before it ends with the best proved so far");
+  options.check({ "max-memory" }, [&budget](Problems& problems) {
+    if (budget.max_memory < Budget::LEAST_MEMORY)
+      problems.push_back("must be at least " + std::to_string(Budget::LEAST_MEMORY) + " bytes");
+  });
+  options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -117,9 +117,7 @@ constexpr double TIME_LIMIT = 60.0;
 
 /// --time-limit. Sets the default, too.
 void declareTimeLimit(Options& options, double& time_limit);
-/// --time-limit, --max-boxes, --threads.
+/// --time-limit, --max-boxes, --max-memory, --threads.
 void declareBudget(Options& options, Budget& budget);
-/// --max-memory; what it is then is the default.
-void declareMemory(Options& options, std::int64_t& max_memory);
 }  // namespace cli
 }  // namespace pkm_workspace

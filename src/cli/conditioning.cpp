@@ -43,13 +43,7 @@ public:
     });
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
     declareBudget(options, query_.budget);
-    query_.max_memory = DEFAULT_MEMORY;
-    declareMemory(options, query_.max_memory);
     options.flag("progress", progress_, PROGRESS_HELP);
-    options.check({ "max-memory" }, [this](Problems& problems) {
-      if (query_.max_memory < ConditioningQuery::LEAST_MEMORY)
-        problems.push_back("must be at least " + std::to_string(ConditioningQuery::LEAST_MEMORY) + " bytes");
-    });
   }
 
   Words warnings() const override { return machine_.warnings(); }

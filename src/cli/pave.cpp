@@ -57,8 +57,6 @@ public:
                 "where nothing changes along the rails");
     criterion_options_.declare(options, query_.criterion);
     declareBudget(options, query_.budget);
-    query_.max_memory = DEFAULT_MEMORY;
-    declareMemory(options, query_.max_memory);
     options.text("save", save_, "FILE", "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
         "resume", resume_, "FILE",
@@ -106,9 +104,10 @@ private:
   void declareConditions(Options& options)
   {
     options.check({ "max-memory" }, [this](Problems& problems) {
-      if (shared(query_.max_memory) < PavingQuery::LEAST_MEMORY)
+      const std::int64_t most = query_.budget.max_memory;
+      if (most >= Budget::LEAST_MEMORY && shared(most) < Budget::LEAST_MEMORY)
         problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
-                           std::to_string(PavingQuery::LEAST_MEMORY) + " bytes each");
+                           std::to_string(Budget::LEAST_MEMORY) + " bytes each");
     });
     options.check({ "save" }, [this](Problems& problems) {
       try
@@ -151,7 +150,7 @@ private:
       PavingQuery query = query_;
       query.criterion.aspect = aspect;
       query.budget.time_limit = shared(query_.budget.time_limit);
-      query.max_memory = shared(query_.max_memory);
+      query.budget.max_memory = shared(query_.budget.max_memory);
       queries.push_back(query);
     }
     return queries;
@@ -179,8 +178,9 @@ private:
     for (std::size_t k = 0; k < pavings.size(); ++k)
       if (!pavings[k].complete)
       {
-        const std::string ended_by = queries[k].budget.endedBy(pavings[k].seconds, pavings[k].boxes_here);
-        return ended_by.empty() ? "the limit of memory" : ended_by;
+        const Budget& budget = queries[k].budget;
+        const std::string ended_by = budget.endedBy(pavings[k].seconds, pavings[k].boxes_here);
+        return ended_by.empty() ? budget.endedBy(pavings[k].seconds, pavings[k].boxes_here, true) : ended_by;
       }
     return "";
   }

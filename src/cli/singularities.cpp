@@ -91,7 +91,7 @@ private:
     {
       if (answer.status != SingularityAnswer::Status::UNDECIDED)
         continue;
-      const std::string ended_by = budget.endedBy(found.seconds, answer.boxes);
+      const std::string ended_by = budget.endedBy(found.seconds, answer.boxes, answer.out_of_memory);
       return "Undecided where " +
              (ended_by.empty() ? "doubles cannot divide boxes further" : ended_by + " ended the search") +
              "; the rest is proved.";

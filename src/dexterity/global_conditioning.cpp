@@ -81,11 +81,7 @@ private:
   bool isOver() const { return budget_.isOver(result_.boxes); }
 
   /// Whether another wave may not fit into the memory.
-  bool isFull() const
-  {
-    const std::size_t most = static_cast<std::size_t>(query_.max_memory) / PART_BYTES;
-    return query_.max_memory > 0 && parts_.size() + std::min(WAVE, parts_.size()) > most;
-  }
+  bool isFull() const { return query_.budget.isFull(PART_BYTES * (parts_.size() + std::min(WAVE, parts_.size()))); }
 
   void addAll(const std::vector<Box>& boxes)
   {
@@ -181,9 +177,6 @@ void ConditioningQuery::validate(Problems& problems) const
 {
   validateShare("accuracy", accuracy, "(a conditioning index, without unit)", problems);
   budget.validate(problems);
-  if (max_memory != 0 && max_memory < LEAST_MEMORY)
-    problems.push_back("max_memory = " + std::to_string(max_memory) + " bytes must be at least " +
-                       std::to_string(LEAST_MEMORY) + ", or 0 for no limit");
 }
 
 std::string remarkOn(const GlobalConditioning& found, const Budget& budget)
@@ -192,10 +185,8 @@ std::string remarkOn(const GlobalConditioning& found, const Budget& budget)
     return "The struts reach no point of it, where the index is taken for 0.";
   if (found.complete)
     return "";
-  const std::string ended_by = budget.endedBy(found.seconds, found.boxes);
-  return "The accuracy was not met: " + (found.out_of_memory ? "the memory for boxes ended it."
-                                         : ended_by.empty()  ? "the set has no proved volume."
-                                                             : ended_by + " ended it.");
+  const std::string ended_by = budget.endedBy(found.seconds, found.boxes, found.out_of_memory);
+  return "The accuracy was not met: " + (ended_by.empty() ? "the set has no proved volume." : ended_by + " ended it.");
 }
 
 GlobalConditioning globalConditioning(const Machine& machine, const BoxClassifier& set, const Box& box,

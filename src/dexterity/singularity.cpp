@@ -7,6 +7,7 @@
 #include <queue>
 #include <vector>
 
+#include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/dexterity/zero_between.h"
@@ -26,8 +27,6 @@ constexpr std::size_t PARALLEL = 3;
 constexpr double FINE = 1e-6;  ///< size of the box around a singularity that is looked for, in struts
 /// How much larger, on each side, a box is made to find a zero on its faces: share of its widths.
 constexpr double MARGIN = 0.125;
-/// Boxes between two looks at the clock.
-constexpr std::int64_t CLOCK = 256;
 
 Criterion criterionOf(const SingularityQuery& query)
 {
@@ -94,7 +93,8 @@ public:
     {
       const Node node = open_.top();
       const int axis = node.box.widestAxis();
-      if (!node.box.canBisect(axis) || isOver())
+      answer_.out_of_memory = isFull();
+      if (!node.box.canBisect(axis) || budget_.isOver(answer_.boxes) || answer_.out_of_memory)
         break;
       open_.pop();
       const auto halves = node.box.bisect(axis);
@@ -115,12 +115,8 @@ private:
     bool operator<(const Node& other) const { return bound != other.bound ? bound > other.bound : order > other.order; }
   };
 
-  bool isOver() const
-  {
-    if (query_.budget.max_boxes > 0 && answer_.boxes >= query_.budget.max_boxes)
-      return true;
-    return answer_.boxes % CLOCK < 2 && budget_.isOver();
-  }
+  /// Whether two more boxes may not fit into the memory. The queue copies itself into twice the room where it grows.
+  bool isFull() const { return budget_.isFull((PARALLEL + 1) * 3 * sizeof(Node) * (open_.size() + 1)); }
 
   Look look(const Box& box) const
   {

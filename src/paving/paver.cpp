@@ -181,12 +181,12 @@ std::size_t Paver::endOfAllowed(const Level& level) const
 /// paving has split stays.
 void Paver::keepToMemory(const Level& level, States& states, std::vector<Counts>& counts) const
 {
-  if (query_.max_memory == 0)
+  if (query_.budget.max_memory == 0)
     return;
   std::size_t needed = paving_.tree.bytes() + (earlier_ ? earlier_->tree.bytes() : 0) + BOX_BYTES * states.size();
   for (const Counts& chunk : counts)
     needed += SPLIT_BYTES * chunk.splits;
-  for (std::size_t k = states.size(); k > 0 && needed > static_cast<std::size_t>(query_.max_memory); --k)
+  for (std::size_t k = states.size(); k > 0 && query_.budget.isFull(needed); --k)
     if (states[k - 1] == CellState::SPLIT && known(level, k - 1) != CellState::SPLIT)
     {
       states[k - 1] = CellState::PENDING;

@@ -29,9 +29,6 @@ void PavingQuery::validate(Problems& problems) const
   criterion.validate(problems);
   validatePositive("resolution", resolution, "m", problems);
   budget.validate(problems);
-  if (max_memory != 0 && max_memory < LEAST_MEMORY)
-    problems.push_back("max_memory = " + std::to_string(max_memory) + " bytes must be at least " +
-                       std::to_string(LEAST_MEMORY) + ", or 0 for no limit");
   if (box)
     validateBox("box", *box, problems);
 }

@@ -91,7 +91,7 @@ private:
     query.criterion.aspect = aspect;
     query.criterion.joint_limits = true;
     query.resolution = resolution;
-    query.budget = budget_.rest(boxes_);
+    query.budget = budget_.rest(boxes_).sharedBy(pavings_.size());
     std::optional<Paving>& paving = pavings_[aspect == Criterion::Aspect::OWN ? 0 : 1];
     paving = paving ? resume(machine_, query, *paving) : pave(machine_, query);
     boxes_ += paving->boxes_here;

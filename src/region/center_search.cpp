@@ -205,6 +205,12 @@ std::size_t CenterSearch::allowedBoxes() const
   return static_cast<std::size_t>(allowed);
 }
 
+/// Whether another wave may not fit into the memory. The queue copies itself into twice the room where it grows.
+bool CenterSearch::isFull() const
+{
+  return budget_.isFull(3 * sizeof(Node) * (open_.size() + std::min(WAVE, open_.size())));
+}
+
 void CenterSearch::processWave()
 {
   const std::size_t allowed = allowedBoxes();
@@ -258,7 +264,7 @@ LargestRegion CenterSearch::run()
   while (!open_.empty())
   {
     tellProgress();
-    if (budget_.isOver(boxes_))
+    if (budget_.isOver(boxes_) || isFull())
     {
       if ((query_.budget.max_boxes == 0 || is_part_) && boxes_ < CHECKPOINT)
         lowerBounds();  // a moment's work where next to nothing is known
@@ -280,7 +286,9 @@ LargestRegion CenterSearch::result(bool done)
   region.boxes = boxes_;
   region.verification_boxes = incumbent_.boxes();
   region.seconds = budget_.seconds();
-  conclude(region, query_.accuracy, done ? "" : budget_.endedBy(boxes_));
+  region.out_of_memory = !done && isFull();
+  conclude(region, query_.accuracy, done ? "" : budget_.endedBy(boxes_, region.out_of_memory),
+           query_.precision == Precision::DOUBLE);
   return region;
 }
 }  // namespace pkm_workspace

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/region/bad_point.h"
 
@@ -62,19 +62,19 @@ class Proof
 public:
   Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size, const Budget& budget)
     : test_(test)
+    , limits_(budget)
     , budget_(budget)
     , search_(test, shape, center, size)
     , crossing_(test.spheres())
     , shape_(shape)
     , center_(center)
     , size_(size)
-    , begin_(std::chrono::steady_clock::now())
   {}
 
   ContainmentResult run()
   {
     prove();
-    result_.seconds = seconds();
+    result_.seconds = budget_.seconds();
     return result_;
   }
 
@@ -93,12 +93,10 @@ private:
     result_.verdict = Containment::INSIDE;
   }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-
   bool isOver()
   {
-    return (budget_.max_boxes > 0 && result_.boxes >= budget_.max_boxes) ||
-           budget_.isOver(batches_++ % CLOCK == 0 ? seconds() : 0.0);
+    return (limits_.max_boxes > 0 && result_.boxes >= limits_.max_boxes) ||
+           (batches_++ % CLOCK == 0 && budget_.isOver());
   }
 
   /// The first looks would be lost: halves along every axis at once.
@@ -156,7 +154,7 @@ private:
   bool lookAtBatch()
   {
     const std::int64_t allowed =
-        budget_.max_boxes > 0 ? budget_.max_boxes - result_.boxes : static_cast<std::int64_t>(BATCH);
+        limits_.max_boxes > 0 ? limits_.max_boxes - result_.boxes : static_cast<std::int64_t>(BATCH);
     std::array<Box, BATCH> parts;
     std::size_t count = 0;
     for (; count < BATCH && static_cast<std::int64_t>(count) < allowed && !open_.empty(); open_.pop_back())
@@ -227,13 +225,13 @@ private:
   }
 
   const BoxTest& test_;
-  const Budget& budget_;
+  const Budget& limits_;
+  const RunningBudget budget_;
   BadPointSearch search_;
   SphereCrossing crossing_;
   const Shape& shape_;
   Eigen::Vector3d center_;
   double size_;
-  const std::chrono::steady_clock::time_point begin_;
   std::int64_t batches_ = 0;
   double least_margin_ = std::numeric_limits<double>::infinity();
   std::vector<Box> open_;

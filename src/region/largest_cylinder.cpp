@@ -42,7 +42,7 @@ public:
   LargestRegion run()
   {
     look(query_.ratio->lower, query_.ratio->upper, std::numeric_limits<double>::infinity());
-    while (!isNarrow() && open_.top().upper > open_.top().lower * (1.0 + LEAST_PART) && !budget_.isOver(boxes_))
+    while (!isNarrow() && open_.top().upper > open_.top().lower * (1.0 + LEAST_PART) && !isOver())
     {
       const Part part = open_.top();
       open_.pop();
@@ -54,7 +54,9 @@ public:
     best_.seconds = budget_.seconds();
     best_.boxes = boxes_;
     best_.verification_boxes = verification_boxes_;
-    conclude(best_, query_.accuracy, budget_.endedBy(boxes_));
+    best_.out_of_memory = isFull();
+    conclude(best_, query_.accuracy, budget_.endedBy(boxes_, best_.out_of_memory),
+             query_.precision == Precision::DOUBLE);
     return best_;
   }
 
@@ -67,6 +69,11 @@ private:
     double bound;
     bool operator<(const Part& other) const { return bound < other.bound; }
   };
+
+  /// Whether the memory has ended the search of one ratio, or would not hold more parts of the range.
+  bool isFull() const { return is_full_ || budget_.isFull(3 * sizeof(Part) * (open_.size() + 2)); }
+
+  bool isOver() const { return budget_.isOver(boxes_) || isFull(); }
 
   double target() const { return rounding::add(best_.size, query_.accuracy).lower; }
 
@@ -96,7 +103,7 @@ private:
     in_hand_ = part.bound;
     look(part.lower, middle, part.bound);
     in_hand_ = 0.0;
-    if (budget_.isOver(boxes_))
+    if (isOver())
       open_.push({ middle, part.upper, part.bound });
     else
       look(middle, part.upper, part.bound);
@@ -115,6 +122,7 @@ private:
     const Interval factor = factorOf(lower, ratio, upper);
     LargestRegion region = CenterSearch(machine_, query, uninteresting(factor) - 2.0 * query.accuracy).run();
     boxes_ += region.boxes;
+    is_full_ = is_full_ || region.out_of_memory;
     verification_boxes_ += region.verification_boxes;
     const Interval height(region.size_upper_bound);
     open_.push({ lower, upper, std::min(known, (height * sqr(height) * factor).upper()) });
@@ -170,6 +178,7 @@ private:
   Pace pace_{ query_.progress_period };
   RunningBracket bracket_;  ///< of volume / pi [m^3]
   double in_hand_ = 0.0;    ///< bound of the part of which half is still to be looked at
+  bool is_full_ = false;
   std::int64_t boxes_ = 0;
   std::int64_t verification_boxes_ = 0;
 };

@@ -96,7 +96,7 @@ bool isNarrow(const LargestRegion& region, double accuracy)
 }
 }  // namespace
 
-void conclude(LargestRegion& region, double accuracy, const std::string& ended_by)
+void conclude(LargestRegion& region, double accuracy, const std::string& ended_by, bool finer)
 {
   region.status = LargestRegion::Status::STOPPED;
   region.volume = region.shape->volume(region.size).lower();
@@ -117,11 +117,24 @@ void conclude(LargestRegion& region, double accuracy, const std::string& ended_b
   }
   else if (ended_by.empty())
     region.message =
-        "the accuracy is below what this precision can settle for this machine: ask for a coarser one, or for "
-        "multi-precision";
+        std::string("the accuracy is below what this precision can settle for this machine: ask for a coarser one") +
+        (finer ? ", or for multi-precision" : "");
   else
     region.message = ended_by + " ended the search: the bracket holds, but is wide";
 }
+
+namespace
+{
+/// What keeps every region away, for the end of a message; empty where each rail can move.
+std::string railsThatCannotMove(const Machine& machine)
+{
+  std::string names;
+  for (const Leg& leg : machine.legs())
+    if (!leg.limits.isEmpty() && leg.limits.width() == 0.0)
+      names += (names.empty() ? "'" : ", '") + leg.joint + "'";
+  return names.empty() ? "" : ": the joint limits hold " + names + " fixed, lower = upper";
+}
+}  // namespace
 
 LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query)
 {
@@ -130,6 +143,8 @@ LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query
   throwProblems(problems);
   LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
   settleHeight(machine, query, region);
+  if (region.status == LargestRegion::Status::NONE && query.criterion.joint_limits)
+    region.message += railsThatCannotMove(machine);
   return region;
 }
 

@@ -61,9 +61,8 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   requireUnused(request, problems);
   const Criterion criterion = fromMessage(request.criterion, context_.query().criterion, problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
-  query.budget.threads = node.threads;
+  query.budget = node;
   query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
-  query.max_memory = context_.parameters.max_memory;
   query.validate(problems);
   if (of_region)
     requireFinite("center", fromMessage(request.center), problems);

@@ -96,7 +96,7 @@ bool read(const XmlRpcValue& value, std::optional<Box>& target)
 bool readMemory(const XmlRpcValue& value, std::int64_t& target)
 {
   int bytes = 0;
-  if (!read(value, bytes) || bytes < PavingQuery::LEAST_MEMORY)
+  if (!read(value, bytes) || bytes < Budget::LEAST_MEMORY)
     return false;
   target = bytes;
   return true;
@@ -174,7 +174,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
     { "max_memory",
       { "a whole number of bytes, 4096 to 2147483647",
-        [&parameters](const XmlRpcValue& value) { return readMemory(value, parameters.max_memory); } } },
+        [&query](const XmlRpcValue& value) { return readMemory(value, query.budget.max_memory); } } },
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };

@@ -13,14 +13,15 @@ namespace
 {
 void readMemory(const PavingRequest& request, const Parameters& parameters, PavingQuery& query, Problems& problems)
 {
-  const std::int64_t most = parameters.max_memory;
-  query.max_memory = request.max_memory == 0 ? most : request.max_memory;
-  if (query.max_memory >= PavingQuery::LEAST_MEMORY && query.max_memory <= most)
+  const std::int64_t most = parameters.query.budget.max_memory;
+  std::int64_t& asked = query.budget.max_memory;
+  asked = request.max_memory == 0 ? most : request.max_memory;
+  if (asked >= Budget::LEAST_MEMORY && asked <= most)
     return;
-  problems.push_back("max_memory = " + std::to_string(query.max_memory) + " bytes must be from " +
-                     std::to_string(PavingQuery::LEAST_MEMORY) + " to the node's ~max_memory, " + std::to_string(most) +
+  problems.push_back("max_memory = " + std::to_string(asked) + " bytes must be from " +
+                     std::to_string(Budget::LEAST_MEMORY) + " to the node's ~max_memory, " + std::to_string(most) +
                      " bytes, or 0 for that");
-  query.max_memory = most;
+  asked = most;
 }
 
 void add(const BoxTree& tree, CellState state, BoxList& list)

@@ -77,6 +77,7 @@ PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question, const R
   wanted.budget.time_limit = SECONDS;
   wanted.budget.max_boxes = BOXES;
   wanted.budget.threads = question.query.budget.threads;
+  wanted.budget.max_memory = question.query.budget.max_memory;
   return wanted;
 }
 

@@ -153,6 +153,7 @@ SingularityService::Question SingularityService::read(const Request& request) co
   question.query.accuracy = valueOr(request.accuracy, question.query.accuracy);
   const Budget& node = context_.parameters.query.budget;
   question.query.budget.threads = node.threads;
+  question.query.budget.max_memory = node.max_memory;
   question.query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
   question.query.validate(problems);
   throwProblems(problems);

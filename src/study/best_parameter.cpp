@@ -77,7 +77,11 @@ private:
   };
 
   double target() const { return rounding::add(best_.region.size, query_.region.accuracy).lower; }
-  bool isOver() const { return budget_.isOver(best_.region.boxes); }
+  bool isOver() const { return budget_.isOver(best_.region.boxes) || isFull(); }
+
+  /// Whether parts of the range would take more than their half of the memory; the search that is going on has the
+  /// other one. Queues copy themselves into twice the room where they grow.
+  bool isFull() const { return budget_.isFull(2 * 3 * sizeof(Part) * (open_.size() + closed_.size() + 2)); }
 
   /// Looks for regions larger than a size with what is left of the budget; one that is the largest so far is kept,
   /// with the parameter given. @return the certified upper bound
@@ -86,7 +90,7 @@ private:
     RegionQuery query = query_.region;
     query.accuracy *= SHARE;
     query.progress = nullptr;
-    query.budget = budget_.rest(best_.region.boxes);
+    query.budget = budget_.rest(best_.region.boxes).sharedBy(2);
     query.budget.threads = 1;  // threads would be started anew for each of these short searches
     query.budget.max_boxes = query.budget.max_boxes > 0 ? std::min(effort.boxes, query.budget.max_boxes) : effort.boxes;
     CenterSearch search(machine, query, std::max(0.0, known), effort.verification_boxes);
@@ -230,7 +234,9 @@ private:
     bracket_.narrow(best_.region.size, upperBound());
     best_.region.size_upper_bound = bracket_.upper();
     best_.region.seconds = budget_.seconds();
-    conclude(best_.region, query_.region.accuracy, budget_.endedBy(best_.region.boxes));
+    best_.region.out_of_memory = isFull();
+    conclude(best_.region, query_.region.accuracy, budget_.endedBy(best_.region.boxes, best_.region.out_of_memory),
+             false);
     for (; !open_.empty(); open_.pop())
       closed_.push_back(open_.top());
     std::sort(closed_.begin(), closed_.end(),

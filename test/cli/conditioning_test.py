@@ -50,7 +50,7 @@ class Conditioning(AnalysisTest):
         words = ("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", "1e-9", "--max-memory", "50000")
         answer = self.answer(*words)
         self.assertFalse(answer["complete"])
-        self.assertIn("the memory for boxes ended it", self.text(*words))
+        self.assertIn("the limit of 50000 bytes of memory ended it", self.text(*words))
 
     def test_out_of_reach_it_is_0(self):
         words = ("conditioning", "--urdf", ORTHOGLIDE, "--shape", "sphere", "--center", "9", "9", "9", "--size", "0.1",

@@ -14,7 +14,7 @@ from pkm import MACHINES, URDF, CommandTest
 MACHINE = {"urdf", "rails", "tcp-links"}
 CRITERION = {"set", "aspect", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
 TIME = {"time-limit", "progress"}
-BUDGET = TIME | {"max-boxes", "threads"}
+BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
 COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | {"point", "points"},
@@ -22,7 +22,7 @@ OPTIONS = {
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | TIME | {"center", "centers", "sides", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME | {"file", "segment", "tool-speed", "max-looks"},
-    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "max-memory", "save", "resume", "list-boxes"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
     "compare": MACHINE | CRITERION | BUDGET | COMMON
     | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},
     "study": MACHINE | CRITERION | BUDGET | COMMON
@@ -30,7 +30,7 @@ OPTIONS = {
     "singularities": MACHINE | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "center", "size", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
-    | {"shape", "proportions", "ratio", "center", "size", "accuracy", "max-memory"},
+    | {"shape", "proportions", "ratio", "center", "size", "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

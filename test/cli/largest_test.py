@@ -224,6 +224,12 @@ class Largest(CommandTest):
                     self.assertGreaterEqual(stroke, Fraction(entry["stroke"]))
                     self.assertGreaterEqual(across, Fraction(entry["across"]))
 
+    def test_rails_that_cannot_move_are_named(self):
+        fixed = self.file("fixed.urdf", self.with_limits(ORTHOGLIDE, 0, 0))
+        answer = self.answer("largest", "--urdf", fixed, "--set", "reachable")
+        self.assertEqual(answer["status"], "none")
+        self.assertRegex(answer["message"], "proved: the joint limits hold 'rail_x', 'rail_y', 'rail_z' fixed")
+
 
 if __name__ == "__main__":
     unittest.main()

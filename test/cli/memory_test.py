@@ -56,6 +56,21 @@ class Memory(CommandTest):
                     elif words[0] == "evaluate":
                         self.assertEqual(len(re.findall(r"(?m) (yes|no|undecided)$", answer)), POINTS)
 
+    def test_searches_keep_to_their_memory(self):
+        orthoglide = ("--urdf", ORTHOGLIDE)
+        cylinder = ("--shape", "cylinder", "--ratio", 0.5, 0.8)
+        family = ("--machine", "uranesx", "--parameter", "R-r", "--range", 0.3, 0.5)
+        for words, most in ((("largest", *orthoglide, "--accuracy", 1e-9), 4096),
+                            (("largest", *orthoglide, *cylinder, "--accuracy", 0.01), 4096),
+                            (("compare", *orthoglide, "--accuracy", 1e-9), 4096),
+                            (("study", *family, "--shape", "square", "--accuracy", 1e-4), 4096),
+                            (("singularities", *orthoglide), 4096),
+                            (("conditioning", *orthoglide, "--accuracy", 1e-9), 4096),
+                            (("pave", *orthoglide), 8192)):  # two runs share it
+            with self.subTest(words):
+                text = " ".join(self.text(*words, "--max-memory", most).split())
+                self.assertIn("the limit of 4096 bytes of memory", text)
+
     def test_without_memory_there_is_a_sentence(self):
         ended = []
         # pave lists more boxes than fit

@@ -19,16 +19,18 @@ LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on li
           r"(?:, and is outside somewhere between these)?: (?P<reason>.*?)\."
           r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
           r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
-STUDY = (r"Proved: (?:(?P<none>no machine of the range has a \w+ of a size above the upper bound\.)|the machine with "
-         r"this parameter has the \w+ with this center and the lower size; no machine of the range has one above the "
-         r"upper bound; and only where it is said above may a machine have one that is larger than the lower size\.)")
+STUDY = (r"Proved: (?:the machine with \S+ = (?P<parameter>\S+) m has the \w+ of size (?P<size>\S+) with its center at "
+         r"(?P<center>\(.*?\)) m; no machine of the range has one|(?P<none>no machine of the range has a \w+)) "
+         r"of a size above (?P<above>[\d.e+-]+?)"
+         r"(?:; and none has a larger one(?: than this machine but with \S+ (?P<where>.*?))?)?\.")
 
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
     "largest": (rf"Proved: (?P<first>every point of the \w+ with this center and size is {QUALITY}; )?" + NO_REGION,
                 claims.largest),
     "status": (r"status +((?:proven|none) \((?:proved to the accuracy asked for|no region (?:as large as the accuracy|"
-               r"of any size) exists where the center may lie, proved)\))", table_claims.status),
+               r"of any size) exists where the center may lie, proved(?:: the joint limits hold .* "
+               r"fixed, lower = upper)?)\))", table_claims.status),
     "box inside": (rf"Proved: every point of the box is {QUALITY}\.", claims.box_inside),
     "remark": (rf"Proved: every point of the box is {QUALITY}\. (?P<remark>Joint limits are off: .*)", claims.remark),
     "bad point": (rf"Proved: the bad point lies in the box and is not {QUALITY}: (?P<reasons>.*)\.", claims.bad_point),

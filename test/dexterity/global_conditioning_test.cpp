@@ -152,7 +152,7 @@ TEST(GlobalConditioning, keepsToItsMemory)
   std::int64_t last = 0;
   for (const std::int64_t memory : { 4096, 65536, 262144 })
   {
-    query.max_memory = memory;
+    query.budget.max_memory = memory;
     const GlobalConditioning full = globalConditioning(orthoglide(), everything, box, query);
     EXPECT_TRUE(full.out_of_memory);
     EXPECT_FALSE(full.complete);
@@ -187,7 +187,7 @@ TEST(GlobalConditioning, refusesWhatIsOutOfRange)
 {
   ConditioningQuery query;
   query.accuracy = 0.0;
-  query.max_memory = 4095;
+  query.budget.max_memory = 4095;
   const Box reversed{ Eigen::Vector3d::Constant(1.0), Eigen::Vector3d::Constant(-1.0) };
   const auto compute = [&] { globalConditioning(orthoglide(), everything, reversed, query); };
   test::expectThrow<std::invalid_argument>(compute, "accuracy = 0 .*must be from 1e-15 to 1");

@@ -227,6 +227,27 @@ TEST(Singularity, nothingIsClaimedOfAnEmptySetOrBeyondTheBudget)
   EXPECT_TRUE(stopped.least.contains(0.0));
 }
 
+TEST(Singularity, keepsToItsMemory)
+{
+  SingularityQuery query;
+  query.joint_limits = true;
+  query.budget.max_boxes = 3000;
+  const Machine machine = test::limited(test::crooked(1));
+  const Singularities free = findSingularities(machine, query);
+  query.budget.max_memory = Budget::LEAST_MEMORY;
+  const Singularities kept = findSingularities(machine, query);
+  const auto compare = [](const SingularityAnswer& few, const SingularityAnswer& many) {
+    EXPECT_FALSE(many.out_of_memory);
+    EXPECT_TRUE(few.out_of_memory);
+    EXPECT_EQ(few.status, Status::UNDECIDED);
+    EXPECT_LT(few.boxes, many.boxes);
+    EXPECT_TRUE(many.least.isSubsetOf(few.least)) << many.least << few.least;
+  };
+  for (std::size_t k = 0; k < 3; ++k)
+    compare(kept.serial[k], free.serial[k]);
+  compare(kept.parallel, free.parallel);
+}
+
 TEST(Singularity, answersDoNotDependOnThreads)
 {
   SingularityQuery query;

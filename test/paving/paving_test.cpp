@@ -78,9 +78,9 @@ TEST(Paving, keepsToItsMemory)
   PavingQuery wanted = query(0.02);
   const Paving free = pave(orthoglide(), wanted);
   std::int64_t boxes = 0;
-  for (const std::int64_t bytes : { PavingQuery::LEAST_MEMORY, std::int64_t(30000), std::int64_t(1000000) })
+  for (const std::int64_t bytes : { Budget::LEAST_MEMORY, std::int64_t(30000), std::int64_t(1000000) })
   {
-    wanted.max_memory = bytes;
+    wanted.budget.max_memory = bytes;
     wanted.budget.threads = 1;
     const Paving one = pave(orthoglide(), wanted);
     wanted.budget.threads = 3;
@@ -92,7 +92,7 @@ TEST(Paving, keepsToItsMemory)
     EXPECT_GT(one.boxes, boxes);
     boxes = one.boxes;
   }
-  wanted.max_memory = 20000000;
+  wanted.budget.max_memory = 20000000;
   test::expectSame(free, pave(orthoglide(), wanted));
 }
 
@@ -147,7 +147,7 @@ TEST(PavingQuery, refusesEverythingThatIsOutOfRangeAtOnce)
 {
   PavingQuery wanted = query(-0.1);
   wanted.budget.threads = 5000;
-  wanted.max_memory = 4095;
+  wanted.budget.max_memory = 4095;
   wanted.box = Box{ { 0.0, 1.0, 0.0 }, { 1.0, 0.0, 1.0 } };
   const auto run = [&wanted] { pave(orthoglide(), wanted); };
   for (const char* pattern :

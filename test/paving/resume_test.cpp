@@ -73,10 +73,10 @@ TEST(PavingResume, afterBudgetsOfEveryKindInTurns)
   paving = resume(test::crooked(7), wanted, paving);
   wanted.resolution = 0.07;
   wanted.budget.max_boxes = 0;
-  wanted.max_memory = 60000;
+  wanted.budget.max_memory = 60000;
   paving = resume(test::crooked(7), wanted, paving);
   EXPECT_FALSE(paving.complete);
-  wanted.max_memory = 0;
+  wanted.budget.max_memory = 0;
   stop = true;
   wanted.budget.stop = &stop;
   const std::int64_t pending = paving.tree.count(CellState::PENDING);

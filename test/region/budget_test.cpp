@@ -56,6 +56,44 @@ TEST(Budget, aTimeLimitThatHasPassedEndsTheSearch)
   expectHonest(findLargestRegion(orthoglide(), query));
 }
 
+TEST(Budget, theMemoryEndsTheSearchWithAnHonestBracket)
+{
+  constexpr std::int64_t BOX_BYTES = sizeof(Box) + 2 * sizeof(double);
+  std::int64_t boxes = 0;
+  for (const std::int64_t bytes : { Budget::LEAST_MEMORY, std::int64_t(8000), std::int64_t(12000) })
+  {
+    RegionQuery query;
+    query.accuracy = 1e-9;
+    query.budget.max_memory = bytes;
+    query.budget.max_boxes = 1000000;
+    query.progress_period = 0.0;
+    query.progress = [bytes](const RegionProgress& state) { EXPECT_LE(3 * state.boxes_open * BOX_BYTES, bytes); };
+    const LargestRegion region = findLargestRegion(orthoglide(), query);
+    expectHonest(region);
+    EXPECT_TRUE(region.out_of_memory);
+    EXPECT_EQ(region.message, "the limit of " + std::to_string(bytes) +
+                                  " bytes of memory ended the search: the bracket holds, but is wide");
+    EXPECT_GT(region.boxes, boxes);
+    boxes = region.boxes;
+  }
+}
+
+TEST(Budget, theMemoryEndsTheSearchOverRatios)
+{
+  RegionQuery query;
+  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  query.accuracy = 1e-2;
+  query.budget.max_boxes = 2000;
+  const LargestRegion free = findLargestRegion(orthoglide(), query);
+  EXPECT_FALSE(free.out_of_memory);
+  query.budget.max_memory = Budget::LEAST_MEMORY;
+  const LargestRegion kept = findLargestRegion(orthoglide(), query);
+  EXPECT_TRUE(kept.out_of_memory);
+  EXPECT_LT(kept.boxes, free.boxes);
+  EXPECT_LE(kept.volume, free.volume_upper_bound);
+  EXPECT_GE(kept.volume_upper_bound, free.volume);
+}
+
 TEST(Budget, anAccuracyBelowDoublesIsSaidToBe)
 {
   RegionQuery query;
@@ -94,12 +132,14 @@ TEST(RegionQuery, refusesEverythingThatIsOutOfRangeAtOnce)
   query.criterion.psi_min = -1.0;
   query.budget.time_limit = -1.0;
   query.budget.max_boxes = -5;
+  query.budget.max_memory = 4095;
   query.budget.threads = 0;
   query.search_box = Box{ { 1.0, 0.0, 0.0 }, { 0.0, 0.0, std::numeric_limits<double>::infinity() } };
   const auto find = [&query] { findLargestRegion(orthoglide(), query); };
   for (const char* pattern :
        { "shape is missing", "accuracy = 0 .*must be positive", "psi_min = -1", "time_limit = -1 s", "max_boxes = -5",
-         "threads = 0 must be from 1 to 1024", "search_box x = \\[1, 0\\] m", "search_box z = \\[0, inf\\] m" })
+         "max_memory = 4095 bytes must be at least 4096", "threads = 0 must be from 1 to 1024",
+         "search_box x = \\[1, 0\\] m", "search_box z = \\[0, inf\\] m" })
     test::expectThrow<std::invalid_argument>(find, pattern);
 }
 

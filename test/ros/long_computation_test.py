@@ -84,7 +84,7 @@ class LongComputationTest(unittest.TestCase):
         with NodeProcess(urdf("orthoglide"), {"time_limit": 86400, "max_memory": 1000000}):
             response = service("compute_conditioning", ComputeConditioning)(accuracy=1e-9)
             self.assertEqual((ErrorCode.SUCCESS, False), (response.error_code, response.complete))
-            self.assertRegex(response.message, "the memory for boxes ended it")
+            self.assertRegex(response.message, "the limit of 1000000 bytes of memory ended it")
             self.assertLess(0.0, response.index.lower)
 
     def test_get_region_answers_while_a_request_is_computed(self):

@@ -58,6 +58,18 @@ TEST(BestParameter, isWhereTheSizeJumps)
   }
 }
 
+TEST(BestParameter, keepsToItsMemory)
+{
+  StudyQuery query = squares(0.3, 0.5, 1e-4);
+  query.region.budget.max_memory = Budget::LEAST_MEMORY;
+  const BestParameter best = findBestParameter(query);
+  EXPECT_TRUE(best.region.out_of_memory);
+  EXPECT_EQ(best.region.message, "the limit of 4096 bytes of memory ended the search: the bracket holds, but is wide");
+  EXPECT_LE(best.region.size, EDGE + 1e-5);
+  EXPECT_GE(best.region.size_upper_bound, EDGE - 1e-5);
+  EXPECT_TRUE(mayBeLarger(best, JUMP));
+}
+
 TEST(BestParameter, noMachineContradictsTheBracket)
 {
   constexpr std::uint64_t SEED = 20261122;

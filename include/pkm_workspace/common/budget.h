@@ -15,17 +15,24 @@ namespace pkm_workspace
 /// Limits that any computation may be given. Values with defaults; validate() tells what is wrong.
 struct Budget
 {
+  static constexpr std::int64_t LEAST_MEMORY = 4096;
+
   double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
   std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
   int threads = processors();               ///< 1 to 1024; no answer depends on it
+  std::int64_t max_memory = 0;              ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
   const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
 
   void validate(Problems& problems) const;
   /// Whether the stop flag is set or @p seconds is past the time limit.
   bool isOver(double seconds) const;
+  /// Whether boxes would take more than the memory [bytes].
+  bool isFull(std::size_t bytes) const;
+  /// The same limits where memory is shared by so many computations at a time.
+  Budget sharedBy(std::size_t computations) const;
   /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s"; empty when none of
   /// the limits has.
-  std::string endedBy(double seconds, std::int64_t boxes) const;
+  std::string endedBy(double seconds, std::int64_t boxes, bool out_of_memory = false) const;
 };
 
 /// A budget whose time has begun to run. Thread-safe.
@@ -43,8 +50,13 @@ public:
   /// The same, or whether so many boxes are all that may be looked at.
   bool isOver(std::int64_t boxes) const { return (budget_.max_boxes > 0 && boxes >= budget_.max_boxes) || isOver(); }
 
+  bool isFull(std::size_t bytes) const { return budget_.isFull(bytes); }
+
   /// What has ended the computation by now: Budget::endedBy().
-  std::string endedBy(std::int64_t boxes) const { return budget_.endedBy(seconds(), boxes); }
+  std::string endedBy(std::int64_t boxes, bool out_of_memory = false) const
+  {
+    return budget_.endedBy(seconds(), boxes, out_of_memory);
+  }
 
   /// What is left after so many boxes, for a part of the computation: a moment and a box at the least, as 0 is no
   /// limit.

@@ -22,11 +22,8 @@ ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box
 /// What ends the computation. Values with defaults; validate() tells what is wrong.
 struct ConditioningQuery
 {
-  static constexpr std::int64_t LEAST_MEMORY = 4096;
-
   double accuracy = 1e-2;  ///< wanted width of the enclosure, without unit; > 0
   Budget budget;
-  std::int64_t max_memory = 0;  ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
 
   void validate(Problems& problems) const;
 };

@@ -26,7 +26,7 @@ struct SingularityQuery
   /// Whether all points of a box within it count, or none; without it, all count. Called by several threads at a time.
   std::function<BoxVerdict(const Box&)> part;
   double accuracy = 1e-3;  ///< wanted width of each enclosure, relative to its upper end; > 0
-  Budget budget;           ///< max_boxes counts for each measure by itself
+  Budget budget;           ///< max_boxes counts for each measure by itself; they share the memory
 
   void validate(Problems& problems) const;
 };
@@ -42,9 +42,10 @@ struct SingularityAnswer
   };
 
   Status status = Status::UNDECIDED;
-  Interval least;          ///< encloses the least value, |eta_i| [m] or |det A| [m^3]; empty where no point counts
-  std::optional<Box> box;  ///< where PROVED: a point that counts and is singular lies in it [m]
-  std::int64_t boxes = 0;  ///< boxes looked at
+  Interval least;              ///< encloses the least value, |eta_i| [m] or |det A| [m^3]; empty where no point counts
+  std::optional<Box> box;      ///< where PROVED: a point that counts and is singular lies in it [m]
+  std::int64_t boxes = 0;      ///< boxes looked at
+  bool out_of_memory = false;  ///< the memory ended the search
 };
 
 struct Singularities

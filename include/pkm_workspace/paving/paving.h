@@ -25,13 +25,10 @@ struct PavingProgress
 /// What to pave. Values with defaults; validate() tells what is wrong.
 struct PavingQuery
 {
-  static constexpr std::int64_t LEAST_MEMORY = 4096;
-
   Criterion criterion;
-  double resolution = 0.05;     ///< boxes no wider than this are not bisected further [m]; > 0
-  std::optional<Box> box;       ///< what to pave [m]; without it, defaultBox()
-  Budget budget;                ///< of boxes and time, those of this run count
-  std::int64_t max_memory = 0;  ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
+  double resolution = 0.05;                             ///< boxes no wider than this are not bisected further [m]; > 0
+  std::optional<Box> box;                               ///< what to pave [m]; without it, defaultBox()
+  Budget budget;                                        ///< of boxes and time, those of this run count
   std::function<void(const PavingProgress&)> progress;  ///< called now and then, if given
   double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
 

@@ -73,6 +73,7 @@ private:
   void grow();
   void tryCenter(const Box& centers, double size);
   std::size_t allowedBoxes() const;
+  bool isFull() const;
   void tellProgress();
   void lowerBounds();
   double target() const;

@@ -85,13 +85,15 @@ struct LargestRegion
   std::array<JointRange, 3> joint_ranges;  ///< over the region; meaningless when size is 0
   std::int64_t boxes = 0;                  ///< boxes of centers looked at
   std::int64_t verification_boxes = 0;     ///< boxes looked at in proving regions
+  bool out_of_memory = false;              ///< the memory ended the search
   double seconds = 0.0;
   std::string message;  ///< one sentence: what ended the search, what to do about it
 };
 
 /// Sets status, message and, unless the ratio is free, the volumes by the bounds.
 /// @param ended_by what ended the search early, if anything: Budget::endedBy()
-void conclude(LargestRegion& region, double accuracy, const std::string& ended_by);
+/// @param finer whether a finer precision may settle more
+void conclude(LargestRegion& region, double accuracy, const std::string& ended_by, bool finer);
 
 /// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; docs/theory.md). The search is over all centers of the workspace in the machine's aspect, or

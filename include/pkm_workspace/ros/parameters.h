@@ -20,11 +20,13 @@ struct Parameters
   Parameters()
   {
     query.budget.time_limit = 60.0;
+    query.budget.max_memory = DEFAULT_MEMORY;
     query.criterion = defaultCriterion();
   }
 
-  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~joint_limits, ~search_box, ~threads and ~time_limit, which
-  /// is also the most that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
+  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~joint_limits, ~search_box, ~threads, ~max_memory: that the boxes of one
+  /// computation may take [bytes], and ~time_limit, which is also the most that a request may ask for: a service cannot
+  /// be cancelled. In (0, 86400] [s].
   RegionQuery query;
   double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
   UrdfOptions urdf;                  ///< ~rails and ~tcp_links
@@ -32,8 +34,6 @@ struct Parameters
   bool show_paving = true;           ///< whether the markers show the set that the region lies in
   bool show_boundary = false;        ///< whether they show its undecided boxes too
   double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
-  /// ~max_memory: the most that the boxes of a paving may take [bytes].
-  std::int64_t max_memory = DEFAULT_MEMORY;
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.
   void validate(Problems& problems) const;
