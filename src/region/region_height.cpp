@@ -53,8 +53,10 @@ Interval travelOf(const Machine& machine, const RegionQuery& query, const Larges
 
 bool isProved(const BoxTest& test, const RegionQuery& query, const Vector3d& center, LargestRegion& region)
 {
-  const ContainmentResult proof =
-      checkContainment(test, *region.shape, center, region.size, VERIFICATION_BOXES, query.budget.stop);
+  Budget budget;
+  budget.max_boxes = VERIFICATION_BOXES;
+  budget.stop = query.budget.stop;
+  const ContainmentResult proof = checkContainment(test, *region.shape, center, region.size, budget);
   region.verification_boxes += proof.boxes;
   return proof.verdict == Containment::INSIDE;
 }

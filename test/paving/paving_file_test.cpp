@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <boost/crc.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "files/folder.h"
 #include "paving/pavings.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
@@ -25,39 +25,19 @@ constexpr std::size_t FIRST_CHOICE = 80;  // behind the texts
 
 using test::query;
 
-/// In a folder of its own.
-class PavingFile : public testing::Test
+class PavingFile : public test::Folder
 {
 protected:
-  PavingFile()
-  {
-    std::string name = testing::TempDir() + "pavingXXXXXX";
-    if (mkdtemp(&name[0]) == nullptr)
-      throw std::runtime_error("no folder for the test");
-    folder_ = name;
-    file_ = name + "/it.paving";
-  }
-  ~PavingFile() override { std::filesystem::remove_all(folder_); }
-
-  std::string read() const
-  {
-    std::ifstream stream(file_, std::ios::binary);
-    return { std::istreambuf_iterator<char>(stream), {} };
-  }
-  void write(const std::string& bytes) const { std::ofstream(file_, std::ios::binary) << bytes; }
+  std::string read() const { return content("it.paving"); }
+  void write(const std::string& bytes) const { put("it.paving", bytes); }
   std::vector<Paving> load() const { return loadPavings(file_, orthoglide(), { query(0.2) }); }
   void expectRefused(const std::string& pattern) const
   {
     test::expectThrow<std::invalid_argument>([&] { load(); }, "it\\.paving: .*" + pattern);
   }
-  std::size_t filesInFolder() const
-  {
-    const std::filesystem::directory_iterator files(folder_);
-    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
-  }
+  std::size_t filesInFolder() const { return names().size(); }
 
-  std::filesystem::path folder_;
-  std::string file_;
+  const std::string file_ = path("it.paving");
 };
 
 /// Changes that a disk, a network or a hand may make; at least one byte is another one afterwards.
