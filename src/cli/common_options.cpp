@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pkm_workspace/whole_file.h"
+
 namespace pkm_workspace
 {
 namespace cli
@@ -168,6 +170,22 @@ void declareBudget(Options& options, Budget& budget)
       problems.push_back("must be at least " + std::to_string(Budget::LEAST_MEMORY) + " bytes");
   });
   options.count("threads", budget.threads, 1024, "threads that compute; no answer depends on it");
+}
+
+void declareOutput(Options& options, const std::string& name, std::string& path, const std::string& help)
+{
+  options.text(name, path, "FILE", help);
+  options.check({ name }, [&path](Problems& problems) {
+    try
+    {
+      if (!path.empty())
+        checkWholeFile(path);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(std::string(reason.what()).substr(path.size() + 2));  // the option's words name the file
+    }
+  });
 }
 }  // namespace cli
 }  // namespace pkm_workspace

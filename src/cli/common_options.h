@@ -119,5 +119,7 @@ constexpr double TIME_LIMIT = 60.0;
 void declareTimeLimit(Options& options, double& time_limit);
 /// --time-limit, --max-boxes, --max-memory, --threads.
 void declareBudget(Options& options, Budget& budget);
+/// A file that will be written: one that cannot be is refused before anything is computed.
+void declareOutput(Options& options, const std::string& name, std::string& path, const std::string& help);
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -8,6 +8,7 @@
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/report/binding_limit.h"
+#include "progress.h"
 
 namespace pkm_workspace
 {
@@ -115,6 +116,8 @@ public:
         problems.push_back("give either --point X Y Z, or --points FILE with one point or more");
     });
     criterion_options_.declare(options, criterion_);
+    declareTimeLimit(options, time_limit_);
+    options.flag("progress", progress_, PROGRESS_HELP);
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -131,11 +134,15 @@ public:
       json.update(stateAt(*evaluator, *point_));
       return { json, print(json) };
     }
+    const std::atomic<bool>* const stop = stopOnSignalOrAfter(time_limit_);
+    goes_on_ = [this, stop] { return evaluated_ < points_.size() && !*stop; };
     Answer answer{ json, "" };
     answer.long_members["points"] = [this, evaluator](std::ostream& out) {
+      const Progress progress(progress_);
       writeList(
-          points_.size(), [&](std::size_t k) { return stateAt(*evaluator, points_[k]); }, 2, out);
+          goes_on_, [&] { return stateAt(*evaluator, points_[evaluated_++]); }, 2, out);
     };
+    answer.long_members["points_left"] = [this](std::ostream& out) { out << points_.size() - evaluated_; };
     answer.long_text = [this, evaluator](std::ostream& out) { writeTable(*evaluator, out); };
     return answer;
   }
@@ -171,7 +178,7 @@ private:
   }
 
   /// A row for each point; only the columns' widths are known before.
-  void writeTable(const PointEvaluator& evaluator, std::ostream& out) const
+  void writeTable(const PointEvaluator& evaluator, std::ostream& out)
   {
     constexpr std::size_t PSI_WIDTH = 11, VERDICT_WIDTH = 9;
     std::size_t point_width = std::string("point [m]").size();
@@ -185,12 +192,27 @@ private:
       out << '\n';
     };
     write({ "point [m]", "", "", "psi", "", "", name(criterion_.set) });
-    for (const Eigen::Vector3d& point : points_)
-      write(rowAt(evaluator, point));
-    out << '\n' << wrapped(definition(machine_.machine(), criterion_));
+    std::optional<JointReaches> reaches;
+    const Progress progress(progress_);
+    while (goes_on_())
+      write(rowAt(evaluator, points_[evaluated_++], reaches));
+    out << '\n' << wrapped(conclusion(reaches)) << wrapped(definition(machine_.machine(), criterion_));
   }
 
-  Words rowAt(const PointEvaluator& evaluator, const Eigen::Vector3d& point) const
+  /// What ended the table early, and what is told of joint limits that nobody asked for.
+  std::string conclusion(const std::optional<JointReaches>& reaches) const
+  {
+    const std::size_t left = points_.size() - evaluated_;
+    const std::string text =
+        left == 0 ? ""
+                  : std::to_string(left) + " points are left out: " +
+                        (isTimeOver() ? timeIsOver(time_limit_) : "a request to stop ended the proof") + ".";
+    const std::string remark = reaches ? remarkOnLimits(machine_.machine(), criterion_, *reaches) : "";
+    return text.empty() ? remark : withRemark(text, remark);
+  }
+
+  /// @param reaches takes those of points that satisfy the criterion in
+  Words rowAt(const PointEvaluator& evaluator, const Eigen::Vector3d& point, std::optional<JointReaches>& reaches) const
   {
     Words row = { exact(point.x()), exact(point.y()), exact(point.z()), "-", "-", "-" };
     if (const auto jacobian = jacobians(machine_.machine(), point))
@@ -199,7 +221,10 @@ private:
       for (int k = 0; k < 3; ++k)
         row[static_cast<std::size_t>(3 + k)] = nearly(psi[k], 6);
     }
-    const BoxVerdict verdict = evaluator(point).verdict;
+    const PointEvaluation there = evaluator(point);
+    const BoxVerdict verdict = there.verdict;
+    if (verdict == BoxVerdict::INSIDE)
+      reaches = reaches ? united(*reaches, reachAt(there.rho)) : reachAt(there.rho);
     row.push_back(verdict == BoxVerdict::UNDECIDED ? "undecided" : verdict == BoxVerdict::INSIDE ? "yes" : "no");
     return row;
   }
@@ -230,6 +255,10 @@ private:
   CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> point_;
   std::vector<Eigen::Vector3d> points_;
+  double time_limit_;
+  bool progress_ = false;
+  std::size_t evaluated_ = 0;  ///< of the points
+  std::function<bool()> goes_on_;
 };
 }  // namespace
 

@@ -108,7 +108,7 @@ public:
   {
     const Machine& machine = machine_.machine();
     Progress progress(progress_);
-    query_.accuracy = accuracy_.valueFor(machine);
+    query_.accuracy = accuracy_.given() ? *accuracy_.given() : defaultAccuracy(machine, *query_.shape);
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     query_.progress = [&progress, this](const RegionProgress& state) {

@@ -168,11 +168,18 @@ std::string describe(const Eigen::Vector3d& v)
 
 void writeList(std::size_t count, const std::function<Json(std::size_t)>& entry, int indent, std::ostream& out)
 {
+  std::size_t k = 0;
+  writeList([&] { return k < count; }, [&] { return entry(k++); }, indent, out);
+}
+
+void writeList(const std::function<bool()>& goes_on, const std::function<Json()>& next, int indent, std::ostream& out)
+{
   const std::string begin = "\n" + std::string(static_cast<std::size_t>(indent), ' ');
+  bool is_empty = true;
   out << '[';
-  for (std::size_t k = 0; k < count; ++k)
-    out << (k == 0 ? "" : ",") << begin << "  " << entry(k).dump();
-  out << (count == 0 ? "" : begin) << ']';
+  for (; goes_on(); is_empty = false)
+    out << (is_empty ? "" : ",") << begin << "  " << next().dump();
+  out << (is_empty ? "" : begin) << ']';
 }
 
 std::string wrapped(const std::string& text)

@@ -59,6 +59,8 @@ std::string describe(const Eigen::Vector3d& v);
 
 /// A list as text, made entry by entry so that it need not be held; @p indent is that of the line it begins in.
 void writeList(std::size_t count, const std::function<Json(std::size_t)>& entry, int indent, std::ostream& out);
+/// The same without a count. @param goes_on whether there is another entry
+void writeList(const std::function<bool()>& goes_on, const std::function<Json()>& next, int indent, std::ostream& out);
 
 /// The words of a text in lines of at most 100 columns; nothing of none.
 std::string wrapped(const std::string& text);

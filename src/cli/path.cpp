@@ -149,7 +149,9 @@ private:
     else if (!file_.empty())
       path_.readFile(file_, problems);
     if (problems.empty() && path_.size() == 0)
-      problems.push_back("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least");
+      problems.push_back(
+          (file_.empty() ? "" : file_ + " has no segment; ") +
+          std::string("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least"));
   }
 
   static Json segmentOf(const SegmentCheck& check, const std::string& place)
@@ -198,9 +200,9 @@ private:
         rows.push_back({ "speed of '" + joint + "'", "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
       }
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
-    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) + " segments\n\n" +
-           aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
-           wrapped(definition(machine_.machine(), criterion_));
+    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) +
+           (checks_.size() == 1 ? " segment" : " segments") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           wrapped(message(result)) + wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;

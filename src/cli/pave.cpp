@@ -57,7 +57,7 @@ public:
                 "where nothing changes along the rails");
     criterion_options_.declare(options, query_.criterion);
     declareBudget(options, query_.budget);
-    options.text("save", save_, "FILE", "file to write the boxes to, with those left open; a file there is replaced");
+    declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
@@ -108,17 +108,6 @@ private:
       if (most >= Budget::LEAST_MEMORY && shared(most) < Budget::LEAST_MEMORY)
         problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
                            std::to_string(Budget::LEAST_MEMORY) + " bytes each");
-    });
-    options.check({ "save" }, [this](Problems& problems) {
-      try
-      {
-        if (!save_.empty())
-          checkWritable(save_);
-      }
-      catch (const std::invalid_argument& reason)
-      {
-        problems.push_back(reason.what());
-      }
     });
   }
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "command.h"
+#include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
@@ -87,7 +88,7 @@ public:
                    "uranesx: radius r of the platform, below R; without it, 3/26 L");
     options.number("lambda", given_.lambda, Quantity(),
                    "uranesx: the paper's lambda, in place of --rail-radius; without it, 0");
-    options.text("output", output_, "FILE", "file to write; without it, standard output");
+    declareOutput(options, "output", output_, "file to write; without it, standard output");
     options.require({ "machine" });
     options.check({ "rail-radius", "lambda" }, [this](Problems& problems) {
       if (given_.rail_radius && given_.lambda)
@@ -120,7 +121,7 @@ public:
     }
     catch (const std::invalid_argument& reason)
     {
-      throw std::invalid_argument(std::string("--output ") + reason.what());
+      throw Failure(std::string("--output ") + reason.what());
     }
     json["output"] = output_;
     return { json, "Wrote machine '" + made_->name() + "' to " + output_ + "\n" };

@@ -85,13 +85,15 @@ std::string quoted(std::string word)
 
 bool Quantity::allows(double value) const
 {
-  return lower_allowed ? value >= lower : value > lower;
+  return (lower_allowed ? value >= lower : value > lower) && value <= upper;
 }
 
 std::string Quantity::describe() const
 {
   if (!std::isfinite(lower))
     return unit.empty() ? "a number" : "a number [" + unit + "]";
+  if (lower == -upper)
+    return "a number [" + unit + "] within " + exact(upper) + " " + unit;
   return (lower_allowed ? ">= " : "> ") + exact(lower) + (unit.empty() ? ", without unit" : " " + unit);
 }
 

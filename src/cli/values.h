@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pkm_workspace/interval/box.h"
+#include "pkm_workspace/region/path.h"
 
 namespace pkm_workspace
 {
@@ -28,13 +29,14 @@ struct Quantity
   std::string unit = "";  ///< "m", "s", ...; empty for a number without unit
   double lower = -std::numeric_limits<double>::infinity();
   bool lower_allowed = true;  ///< whether the number may be equal to lower
+  double upper = std::numeric_limits<double>::infinity();
 
   bool allows(double value) const;
   /// "> 0 m", ">= 0 m", "a number [m]": for help texts and for refusals.
   std::string describe() const;
 };
 
-const Quantity LENGTH{ "m" };
+const Quantity LENGTH{ "m", -FARTHEST, true, FARTHEST };
 const Quantity LENGTH_NOT_NEGATIVE{ "m", 0.0 };
 const Quantity LENGTH_POSITIVE{ "m", 0.0, false };
 const Quantity NUMBER_POSITIVE{ "", 0.0, false };

@@ -50,6 +50,20 @@ private:
   Problems& problems_;
   const Origin& origin_;
 };
+
+/// Velocity and force factors bound the same psi.
+void validateTogether(const Criterion& criterion, Problems& problems)
+{
+  const bool bounds_both = criterion.boundsBelow() && criterion.boundsAbove();
+  if (!bounds_both || criterion.leastFactor().lower() <= criterion.largestFactor().upper())
+    return;
+  const bool is_least = criterion.leastFactor().lower() > criterion.psi_min;
+  const char* const name = is_least ? "force_max" : "force_min";
+  const double force = is_least ? criterion.force_max : criterion.force_min;
+  complain(problems, name, " = ", force, " asks for psi ", is_least ? "of at least " : "of at most ", 1.0 / force,
+           is_least ? ", and psi_max = " : ", and psi_min = ", is_least ? criterion.psi_max : criterion.psi_min,
+           ": no point satisfies both");
+}
 }  // namespace
 
 void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems)
@@ -64,6 +78,8 @@ void validateCriterion(const Criterion& criterion, const Origin& origin, Problem
   if (criterion.kappa_max != 0.0 && !(criterion.kappa_max >= 1.0 && criterion.kappa_max <= LARGEST))
     complain(problems, "kappa_max = ", criterion.kappa_max,
              " (a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+  if (problems.empty())
+    validateTogether(criterion, problems);
 }
 
 void Criterion::validate(Problems& problems) const

@@ -94,7 +94,7 @@ void validateLeg(const Leg& leg, const std::string& place, Problems& problems)
     complain(problems, place, ": rail origin and platform point must be within 1e9 m");
   else if (!squaredNorm(leg.axis).contains(1.0))
     complain(problems, place, ": the axis must have unit length, its squared length is ", squaredNorm(leg.axis));
-  if (!leg.length.isBounded() || leg.length.lower() < SHORTEST || leg.length.upper() > LARGEST)
+  if (!leg.length.isBounded() || leg.length.upper() < SHORTEST || leg.length.lower() > LARGEST)
     complain(problems, place, ": strut length ", leg.length, " m must be from 1e-9 m to 1e9 m");
   if (leg.working_mode != 1 && leg.working_mode != -1)
     complain(problems, place, ": working mode ", leg.working_mode, " must be +1 or -1");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/paving.h"
 
+#include <algorithm>
+
 #include "paver.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/text_stream.h"
@@ -41,6 +43,13 @@ void Paving::sumUp()
   for (const CellState state : { CellState::SPLIT, CellState::INSIDE, CellState::OUTSIDE, CellState::BOUNDARY })
     boxes += tree.count(state);
   complete = tree.count(CellState::PENDING) == 0;
+}
+
+double Paving::volumeUpper() const
+{
+  // all boxes fill the whole: finer ones, whose faces round more, do not tell less
+  const Interval not_outside = tree.wholeVolume() - tree.volume(CellState::OUTSIDE);
+  return std::min((volume_inside + volume_boundary).upper(), not_outside.upper());
 }
 
 Box defaultBox(const Machine& machine, const Criterion& criterion)

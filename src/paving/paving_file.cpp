@@ -186,9 +186,4 @@ std::vector<Paving> loadPavings(const std::string& path, const Machine& machine,
     throw std::invalid_argument(path + ": the paving is refused: " + reason.what());
   }
 }
-
-void checkWritable(const std::string& path)
-{
-  checkWholeFile(path);
-}
 }  // namespace pkm_workspace

@@ -139,6 +139,7 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
       volume += share * tree.bisection().volume(level);
   });
   const Interval pending = tree.volume(CellState::PENDING);
-  return volume + Interval(0.0, pending.upper());
+  volume += Interval(0.0, pending.upper());
+  return intersection(volume, Interval(0.0, paving.volumeUpper()));
 }
 }  // namespace pkm_workspace

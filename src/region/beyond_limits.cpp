@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 #include "pkm_workspace/interval/decimal.h"
 
@@ -68,6 +69,18 @@ JointReaches reachAt(const std::array<Interval, 3>& rho)
   for (std::size_t i = 0; i < 3; ++i)
     reaches[i] = { rho[i], rho[i] };
   return reaches;
+}
+
+JointReaches united(const JointReaches& a, const JointReaches& b)
+{
+  JointReaches all;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const auto& [p, q] = std::tie(a[i], b[i]);
+    all[i].least = { std::min(p.least.lower(), q.least.lower()), std::min(p.least.upper(), q.least.upper()) };
+    all[i].largest = { std::max(p.largest.lower(), q.largest.lower()), std::max(p.largest.upper(), q.largest.upper()) };
+  }
+  return all;
 }
 
 PathReach::PathReach(const Machine& machine) : machine_(machine)

@@ -166,7 +166,8 @@ ShapePtr makeBox(const Eigen::Vector3d& proportions)
   if (!ordinary)
   {
     TextStream text;
-    text << "proportions (" << proportions.transpose() << ") [m per unit of size] must be finite, 0 or positive "
+    text << "proportions (" << proportions[0] << ", " << proportions[1] << ", " << proportions[2]
+         << ") [m per unit of size] must be finite, 0 or positive "
          << "(1e-100 to 1e100), and at least one of them positive";
     throw std::invalid_argument(text.str());
   }

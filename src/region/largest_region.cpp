@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/largest_region.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_search.h"
@@ -36,18 +38,25 @@ void RegionQuery::validate(Problems& problems) const
     validateBox("search_box", *search_box, problems);
 }
 
+AccuracyRange accuracyRange(const Machine& machine, const Shape& shape)
+{
+  const double unit = machine.scale() / (2.0 * shape.halfExtents().maxCoeff());
+  return { FINEST_ACCURACY * unit, COARSEST_ACCURACY * unit };
+}
+
+double defaultAccuracy(const Machine& machine, const Shape& shape)
+{
+  const AccuracyRange allowed = accuracyRange(machine, shape);
+  return std::clamp(defaultAccuracy(machine), allowed.finest, allowed.coarsest);
+}
+
 void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems)
 {
-  const double unit = machine.scale() / (2.0 * query.shape->halfExtents().maxCoeff());
-  const double finest = FINEST_ACCURACY * unit;
-  const double coarsest = COARSEST_ACCURACY * unit;
-  if (finest <= query.accuracy && query.accuracy <= coarsest)
-    return;
-  TextStream text;
-  text << "accuracy = " << query.accuracy << " (in the unit of the size, m for edges) must be from "
-       << nearly(finest, 6) << " to " << nearly(coarsest, 6) << " for this machine, whose longest strut is "
-       << machine.scale() << " m";
-  problems.push_back(text.str());
+  const AccuracyRange allowed = accuracyRange(machine, *query.shape);
+  if (!(allowed.finest <= query.accuracy && query.accuracy <= allowed.coarsest))
+    complain(problems, "accuracy = ", query.accuracy, " (in the unit of the size, m for edges) must be from ",
+             nearly(allowed.finest, 6), " to ", nearly(allowed.coarsest, 6),
+             " for this machine, whose longest strut is ", machine.scale(), " m");
 }
 
 void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,

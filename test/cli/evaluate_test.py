@@ -110,6 +110,23 @@ class Evaluate(CommandTest):
         table = self.text("evaluate", "--urdf", ORTHOGLIDE, "--points", file)
         self.assertRegex(table, r"(?m)^  2 +0 +0 +- +- +- +no$")
 
+    def test_points_that_are_left_out_are_counted(self):
+        file = self.file("points.txt", "0.1 0.2 -0.3\n" * 100000)
+        answer = self.answer("evaluate", "--urdf", ORTHOGLIDE, "--points", file, "--time-limit", 1e-6)
+        self.assertGreater(answer["points_left"], 0)
+        self.assertEqual(len(answer["points"]) + answer["points_left"], 100000)
+        text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--points", file, "--time-limit", 1e-6)
+        self.assertRegex(text, r"(?m)^\d+ points are left out: the time limit of 1e-06 s \(--time-limit\)")
+
+    def test_a_table_says_which_limits_its_points_pass(self):
+        urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.1))
+        file = self.file("points.txt", "0 0 0\n0.25 0 0\n0 0 3\n")
+        text = self.text("evaluate", "--urdf", urdf, "--joint-limits", "off", "--points", file)
+        self.assertRegex(text, "Joint limits are off: .rail_x. would leave its upper limit, 0.1 m, by at least 0.149")
+        file = self.file("point.txt", "0 0 0\n")
+        text = self.text("evaluate", "--urdf", urdf, "--joint-limits", "off", "--points", file)
+        self.assertIn("Joint limits are off: all rails stay within their limits.", " ".join(text.split()))
+
     def test_border_is_undecided(self):
         answer = self.evaluate(ORTHOGLIDE, (0, 0, 0), "--psi-min", 1, "--psi-max", 1)
         self.assertIsNone(answer["dextrous"])

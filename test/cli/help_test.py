@@ -17,7 +17,7 @@ TIME = {"time-limit", "progress"}
 BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
 COMMON = {"json", "help"}
 OPTIONS = {
-    "evaluate": MACHINE | CRITERION | COMMON | {"point", "points"},
+    "evaluate": MACHINE | CRITERION | COMMON | TIME | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | TIME | {"center", "centers", "sides", "max-boxes", "multi-precision"},

@@ -92,6 +92,13 @@ class Pave(CommandTest):
                 self.assertGreater(answer["boxes_pending"], 0)
                 self.assertVolume(answer, DEXTROUS, 1e-3)
 
+    def test_more_boxes_never_tell_less(self):
+        for words in ((), ("--set", "reachable")):
+            told = [self.pave(ORTHOGLIDE, "--resolution", 0.02, "--max-boxes", 10**k, *words) for k in range(6)]
+            for fewer, more in zip(told, told[1:]):
+                self.assertLessEqual(fewer["volume_lower"], more["volume_lower"], words)
+                self.assertGreaterEqual(fewer["volume_upper"], more["volume_upper"], words)
+
     def test_uranesx_without_a_box_is_a_plane(self):
         words = ("--resolution", 0.01, "--joint-limits", "off")
         area, text = self.pave(URANESX, *words), self.text("pave", "--urdf", URANESX, *words)

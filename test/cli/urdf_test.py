@@ -32,6 +32,10 @@ class Urdf(CommandTest):
         for rho in answer["rho"]:
             self.assertAlmostEqual(rho, 2, places=12)  # 2^2 + (2 - 0.5)^2 = 2.5^2
 
+    def test_the_longest_strut_is_allowed_for_both(self):
+        for name in ("orthoglide", "uranesx"):
+            self.machine("--machine", name, "--length", "1e9")
+
     def test_lambda_moves_the_rails(self):
         widened = self.machine("--machine", "uranesx", "--lambda", 0.1, "--length", 2)
         psi = self.answer("evaluate", "--urdf", widened, "--point", 0, 0, 0)["psi"]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/paving_file.h"
+#include "pkm_workspace/whole_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -231,7 +232,7 @@ TEST_F(PavingFile, isReplacedAsAWholeOrNotAtAll)
   EXPECT_EQ(filesInFolder(), 2U);
   const auto refuses = [&](const std::string& path, const std::string& pattern) {
     test::expectThrow<std::invalid_argument>([&] { savePavings(path, pavings); }, pattern);
-    test::expectThrow<std::invalid_argument>([&] { checkWritable(path); }, pattern);
+    test::expectThrow<std::invalid_argument>([&] { checkWholeFile(path); }, pattern);
   };
   refuses((folder_ / "none" / "it").string(), "none/it: cannot be written: No such file");
   refuses((folder_ / "sub").string(), "sub: cannot be written: it is a folder, not a regular file; name a file in it");
@@ -239,7 +240,7 @@ TEST_F(PavingFile, isReplacedAsAWholeOrNotAtAll)
   test::expectThrow<std::invalid_argument>([&] { loadPavings("/dev/zero", orthoglide(), {}); }, "not a regular file");
   test::expectThrow<std::invalid_argument>([&] { loadPavings((folder_ / "x").string(), orthoglide(), {}); },
                                            "x: cannot be read: No such file");
-  checkWritable(file_);
+  checkWholeFile(file_);
   EXPECT_EQ(filesInFolder(), 2U);
   test::expectSame(pavings[0], load()[0]);
 }

@@ -42,13 +42,13 @@ const BadRequest BAD_REQUESTS[] = {
       q.shape = "box";
       q.proportions.x = -1.0;
     },
-    "proportions \\(-1 +0 +0\\).*must be" },
+    "proportions \\(-1, 0, 0\\).*must be" },
   { "NaN proportion",
     [](auto& q) {
       q.shape = "box";
       q.proportions.y = NAN_VALUE;
     },
-    "proportions \\( *0 +nan +0\\).*must be" },
+    "proportions \\(0, nan, 0\\).*must be" },
   { "negative psi_min", [](auto& q) { q.criterion.psi_min = -0.5; }, "psi_min = -0.5 .*must be positive" },
   { "NaN psi_min", [](auto& q) { q.criterion.psi_min = NAN_VALUE; }, "psi_min = nan .*must be positive" },
   { "psi_min above psi_max", [](auto& q) { q.criterion.psi_min = 3.0; },

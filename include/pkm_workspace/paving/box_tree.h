@@ -83,6 +83,8 @@ public:
   /// How many boxes of a level, or of all, have that state.
   std::int64_t count(CellState state, std::size_t level) const;
   std::int64_t count(CellState state) const;
+  /// Encloses the volume of the root, which all boxes fill together, in its own dimension [m^3].
+  Interval wholeVolume() const { return levels() > 0 ? bisection_.volume(0) : Interval(0.0); }
   /// Encloses the volume of these, in the root's own dimension [m^3].
   Interval volume(CellState state) const;
   /// The same boxes as coarsely as it takes for no more than @p most that are not OUTSIDE (or one): boxes below a level

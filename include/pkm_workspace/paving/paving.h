@@ -54,7 +54,7 @@ struct Paving
   void sumUp();
   /// The volume of the set within the box lies between these [m^3].
   double volumeLower() const { return volume_inside.lower(); }
-  double volumeUpper() const { return (volume_inside + volume_boundary).upper(); }
+  double volumeUpper() const;
 };
 
 /// What is paved where no box is asked for [m]: the bounds of the workspace; where nothing changes along the rails, the

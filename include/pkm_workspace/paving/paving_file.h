@@ -19,7 +19,4 @@ void savePavings(const std::string& path, const std::vector<Paving>& pavings);
 /// version, or about something else
 std::vector<Paving> loadPavings(const std::string& path, const Machine& machine,
                                 const std::vector<PavingQuery>& queries);
-
-/// @throws std::invalid_argument with the file's name and the reason when savePavings() could not write there now
-void checkWritable(const std::string& path);
 }  // namespace pkm_workspace

@@ -25,6 +25,8 @@ JointReaches reachOver(const std::array<JointRange, 3>& ranges);
 JointReaches reachOver(const Machine& machine, const Shape& shape, const Eigen::Vector3d& center, double size);
 /// At a point. @param rho joint values [m]
 JointReaches reachAt(const std::array<Interval, 3>& rho);
+/// Over what these are about together.
+JointReaches united(const JointReaches& a, const JointReaches& b);
 
 /// Along a path that is good: what is reached is known from the ends and the middles of its segments, of ever fewer of
 /// them where they are more than 10000.

@@ -54,8 +54,16 @@ struct RegionQuery
   void validate(Problems& problems) const;
 };
 
-/// Appends one sentence when the accuracy is out of all proportion to the machine: as a length of the region, below
-/// 1e-18 or above 1000 times the longest strut.
+/// What may be asked for, in the unit of the size: as a length of the region, 1e-18 to 1000 times the longest strut.
+struct AccuracyRange
+{
+  double finest;
+  double coarsest;
+};
+AccuracyRange accuracyRange(const Machine& machine, const Shape& shape);
+/// The machine's default, or what comes nearest to it in that range.
+double defaultAccuracy(const Machine& machine, const Shape& shape);
+/// Appends one sentence when the accuracy is out of that range.
 void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems);
 
 /// Sets shape and ratio of a query by name. @param proportions of a box @param ratio of a cylinder, 1e-6 to 1e6
