@@ -118,7 +118,7 @@ private:
     if (criterion.boundsFactors())
       lookAtFactors(forms, question, verdicts);
     if (model_.oriented() && !criterion.settlesAspect())
-      require(model_.orientation(forms), question, verdicts);
+      lookAtOrientation(forms, box, question, verdicts);
     else if (model_.oriented() && !question.is_limited && any(!verdicts.outside))
       lookAtAspect(forms, verdicts);
     return verdicts;
@@ -131,6 +131,22 @@ private:
     if (question.is_limited)
       holds = holds | (lowered(form, multiplier(form, question.slack), question.slack).lower() > Real(0.0));
     verdicts.inside = verdicts.inside & holds;
+  }
+
+  /// Near a double zero of det A its factors tell more; boxes alone do well without.
+  template <class Domain>
+  void lookAtOrientation(const MachineForms<Real>& forms, const Domain& box, const Question& question,
+                         Verdicts& verdicts) const
+  {
+    const Mask before = verdicts.inside;
+    require(model_.orientation(forms), question, verdicts);
+    const Mask open = before & !(verdicts.inside | verdicts.outside);
+    if (!question.is_limited || !model_.railsMeet() || !any(open))
+      return;
+    Verdicts by_factors{ open, !everywhere() };
+    for (const AffineForm<Real>& factor : model_.orientationFactors(forms, box))
+      require(factor, question, by_factors);
+    verdicts.inside = verdicts.inside | by_factors.inside;
   }
 
   void lookAtFactors(const MachineForms<Real>& forms, Question& question, Verdicts& verdicts) const

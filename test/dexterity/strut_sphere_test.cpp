@@ -41,6 +41,43 @@ Vector pointOn(const StrutSphere& sphere, const Vector3d& direction)
   return point;
 }
 
+/// Rails with any directions through one point, with struts of one length.
+Machine meeting(unsigned seed)
+{
+  Machine::Legs legs = test::crooked(seed).legs();
+  for (Leg& leg : legs)
+  {
+    leg.origin = leg.platform = enclose(Vector3d::Zero());
+    leg.length = 1.0;
+  }
+  return Machine("meeting_" + std::to_string(seed), legs, Vector3d::Zero());
+}
+
+std::vector<Machine> withMeetingRails()
+{
+  std::vector<Machine> machines;
+  for (int modes = 0; modes < 8; ++modes)
+    machines.push_back(withModes(modes));
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    machines.push_back(meeting(seed));
+  return machines;
+}
+
+/// A box next to the sphere, in its cone, with a half-space whose plane is next to the sphere too.
+std::pair<Box, HalfSpace> nextToTheSphere(const Machine& machine, test::RandomBoxes& random)
+{
+  Vector3d direction(0.0, 0.0, 0.0);
+  for (int i = 0; i < 3; ++i)
+    direction += random.between(0.1, 1.0) * machine.leg(i).working_mode * mid(machine.leg(i).axis);
+  direction.normalize();
+  const double width = random.between(0.001, 0.1);
+  const Vector3d center = (1.0 + random.between(-1.0, 1.0) * width) * direction;
+  HalfSpace half;
+  half.normal = random.between(0.0, 1.0) < 0.7 ? direction : Vector3d(-direction);
+  half.offset = half.normal.dot(direction) + random.between(-0.5, 0.05) * width;
+  return { Box{ center - Vector3d::Constant(0.5 * width), center + Vector3d::Constant(0.5 * width) }, half };
+}
+
 Criterion reachable()
 {
   Criterion criterion;
@@ -126,5 +163,88 @@ TEST(StrutSphere, onlyTheSignOfTheDeterminantMakesItBad)
   EXPECT_EQ(BoxTest(orthoglide(), reachable()).spheres().size(), 3u);
   EXPECT_EQ(BoxTest(orthoglide(), other).spheres().size(), 3u);
   EXPECT_TRUE(BoxTest(orthoglide(), Criterion()).spheres().empty()) << "psi_min keeps away from it";
+}
+
+// det A h_1 h_2 h_3 = g^2 Q at points, and what is said of a box holds for its points.
+TEST(StrutSphere, factorsOfTheDeterminant)
+{
+  test::RandomBoxes random(SEED);
+  for (const Machine& machine : withMeetingRails())
+  {
+    const MachineModel<double> model(machine, reachable());
+    ASSERT_TRUE(model.railsMeet()) << machine.name();
+    Criterion within_reach = reachable();
+    within_reach.aspect = Criterion::Aspect::BOTH;
+    const test::Oracle oracle(machine, within_reach);
+    int reached = 0;
+    const auto factorsOver = [&model](const Box& box) {
+      const CenteredBox<double> there(box);
+      return model.orientationFactors(model.evaluate(there), there);
+    };
+    for (int k = 0; k < test::cases(200); ++k)
+    {
+      const Box box = nextToTheSphere(machine, random).first;
+      const Vector3d point = random.pointIn(box);
+      const CenteredBox<double> there(Box{ point, point });
+      if (!oracle.isGood(point))
+        continue;
+      ++reached;
+      const auto wide = factorsOver(box);
+      const auto f = factorsOver({ point, point });
+      const double det = model.orientation(model.evaluate(there)).center;
+      EXPECT_NEAR(det * f[0].center * f[1].center * f[2].center, f[3].center * f[3].center * f[4].center, 1e-13)
+          << machine.name() << ", seed " << SEED << ", point " << point.transpose();
+      for (const std::size_t i : { 0U, 1U, 2U, 4U })
+      {
+        EXPECT_LE(wide[i].lower(), f[i].center + 1e-13) << machine.name() << ", factor " << i << ", case " << k;
+        EXPECT_GE(wide[i].upper(), f[i].center - 1e-13) << machine.name() << ", factor " << i << ", case " << k;
+      }
+    }
+    EXPECT_GT(reached, 20) << machine.name();
+  }
+}
+
+// By the definition, at points of the box and the half-space, and not on both sides of the sphere, where det A has the
+// same sign; where det A itself says nothing its factors do.
+TEST(StrutSphere, insideNextToItHolds)
+{
+  test::RandomBoxes random(SEED);
+  for (const Machine& machine : withMeetingRails())
+    for (const Criterion::Aspect aspect : { Criterion::Aspect::OWN, Criterion::Aspect::OTHER })
+    {
+      Criterion criterion = reachable();
+      criterion.aspect = aspect;
+      const BoxTest test(machine, criterion);
+      const test::Oracle oracle(machine, criterion);
+      int by_factors = 0;
+      for (int k = 0; k < test::cases(400); ++k)
+      {
+        const auto [box, half] = nextToTheSphere(machine, random);
+        BoxVerdict verdict = BoxVerdict::UNDECIDED;
+        test.kernel().classify(&box, 1, &verdict, nullptr, &half);
+        by_factors += verdict == BoxVerdict::INSIDE && test.classify(box) == BoxVerdict::UNDECIDED ? 1 : 0;
+        double least = 2.0;
+        double farthest = 0.0;
+        for (int sample = 0; verdict == BoxVerdict::INSIDE && sample < 10; ++sample)
+        {
+          const Vector3d point = random.pointIn(box);
+          if (half.normal.dot(point) > half.offset)
+            continue;
+          EXPECT_TRUE(oracle.isGood(point))
+              << machine.name() << ", seed " << SEED << ", case " << k << ", point " << point.transpose();
+          least = std::min(least, point.norm());
+          farthest = std::max(farthest, point.norm());
+        }
+        EXPECT_FALSE(least < 1.0 - 1e-12 && farthest > 1.0 + 1e-12)
+            << machine.name() << ", seed " << SEED << ", case " << k << ": a point of the sphere is between";
+      }
+      EXPECT_TRUE(aspect == Criterion::Aspect::OTHER || by_factors > 40) << machine.name() << ": " << by_factors;
+    }
+}
+
+TEST(StrutSphere, railsThatMissEachOtherHaveNone)
+{
+  EXPECT_FALSE(MachineModel<double>(uranesx(), reachable()).railsMeet());
+  EXPECT_FALSE(MachineModel<double>(test::crooked(1), reachable()).railsMeet());
 }
 }  // namespace pkm_workspace

@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/dexterity/eigen_witness.h"
+#include "pkm_workspace/dexterity/meeting_rails.h"
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/definiteness.h"
 #include "pkm_workspace/machine/machine.h"
@@ -96,7 +97,12 @@ public:
   void conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const;
   /// det A [m^3] times the sign that the criterion's aspect asks for: positive where the aspect is right.
   AffineForm<Real> orientation(const MachineForms<Real>& forms) const;
-  /// The same at delta = 0 only.
+  /// Whether the three rails meet in one point, so that det A has a double zero on a sphere.
+  bool railsMeet() const { return meeting_.exist; }
+  /// Forms of which all are positive only where the aspect is right, also next to that sphere. @pre railsMeet()
+  template <class Domain>
+  std::array<AffineForm<Real>, 5> orientationFactors(const MachineForms<Real>& forms, const Domain& box) const;
+  /// orientation() at delta = 0 only.
   Enclosed<Real> orientationAtCenter(const MachineForms<Real>& forms) const;
   /// rho_i [m] over the box.
   template <class Domain>
@@ -135,6 +141,7 @@ private:
 
   Criterion criterion_;
   std::array<LegModel, 3> legs_;
+  MeetingRails<Real> meeting_;
   Enclosed<Real> psi_max_squared_;
   Enclosed<Real> minus_psi_min_squared_;
   Enclosed<Real> kappa_squared_;

@@ -11,6 +11,7 @@ namespace pkm_workspace
 template <class Real>
 MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criterion)
   : criterion_(validated(criterion))
+  , meeting_(machine)
   , psi_max_squared_(criterion.boundsAbove() ? squared<Real>(criterion.largestFactor()) : Enclosed<Real>())
   , minus_psi_min_squared_(criterion.boundsBelow() ? -squared<Real>(criterion.leastFactor()) : Enclosed<Real>())
   , kappa_squared_(squared<Real>(criterion.kappa_max))
@@ -48,6 +49,7 @@ template <class Real>
 template <class Other>
 MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
   : criterion_(model.criterion_)
+  , meeting_(model.meeting_)
   , psi_max_squared_(model.psi_max_squared_)
   , minus_psi_min_squared_(model.minus_psi_min_squared_)
   , kappa_squared_(model.kappa_squared_)
@@ -222,6 +224,33 @@ template <class Real>
 AffineForm<Real> MachineModel<Real>::orientation(const MachineForms<Real>& forms) const
 {
   return aspect_sign_ * determinant(forms.strut[0], forms.strut[1], forms.strut[2]);
+}
+
+/// With w_i = s_i e_i, p counted from o and h_i = |eta_i| + w_i . p, each strut is p + g / h_i w_i, g = L^2 - |p|^2,
+/// and
+///   det A h_1 h_2 h_3 = g^2 (h_1 (w_2 x w_3) . p + h_2 (w_3 x w_1) . p + h_3 (w_1 x w_2) . p + g det(w_1, w_2, w_3)).
+template <class Real>
+template <class Domain>
+std::array<AffineForm<Real>, 5> MachineModel<Real>::orientationFactors(const MachineForms<Real>& forms,
+                                                                       const Domain& box) const
+{
+  AffineVector<Real> from_center;
+  AffineVector<Real> along;
+  AffineVector<Real> across;
+  mapBox(meeting_.identity, meeting_.center, box, from_center);
+  mapBox(meeting_.along, meeting_.center, box, along);
+  mapBox(meeting_.across, meeting_.center, box, across);
+  std::array<AffineForm<Real>, 5> factors;
+  const AffineForm<Real> gap = -squaredNorm(from_center) + meeting_.squared_length;
+  AffineForm<Real> rest = meeting_.volume * gap;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    factors[i] = legs_[i].sign * forms.eta[i] + component(along, i);
+    rest = rest + factors[i] * component(across, i);
+  }
+  factors[3] = Enclosed<Real>(select(gap.center < Real(0), Real(-1), Real(1)), Real(0)) * gap;
+  factors[4] = aspect_sign_ * rest;
+  return factors;
 }
 
 template <class Real>
