@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/bad_point.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace pkm_workspace
 {
+namespace
+{
+/// How many extreme points are started from, and the steps from each.
+constexpr std::size_t FAR_STARTS = 4;
+constexpr int FAR_STEPS = 100;
+}  // namespace
+
 BadPointSearch::BadPointSearch(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
   : test_(test), shape_(shape), center_(center), size_(size), step_(size * shape.halfExtents().maxCoeff())
 {}
@@ -36,6 +47,22 @@ Eigen::Vector3d BadPointSearch::descend(const Eigen::Vector3d& start, int steps)
       length *= 0.25;
   }
   return point;
+}
+
+Eigen::Vector3d BadPointSearch::worstFromFar() const
+{
+  std::vector<std::pair<double, Eigen::Vector3d>> points;
+  const auto isWorse = [](const auto& a, const auto& b) { return a.first < b.first; };
+  for (const Eigen::Vector3d& extreme : shape_.extremePoints())
+    points.emplace_back(test_.margin(center_ + size_ * extreme), center_ + size_ * extreme);
+  std::sort(points.begin(), points.end(), isWorse);
+  points.resize(std::min(points.size(), FAR_STARTS));
+  for (auto& [margin, point] : points)
+  {
+    point = descend(point, FAR_STEPS);
+    margin = test_.margin(point);
+  }
+  return std::min_element(points.begin(), points.end(), isWorse)->second;
 }
 
 std::optional<Eigen::Vector3d> BadPointSearch::proveBad(const Eigen::Vector3d& point) const

@@ -17,6 +17,8 @@ namespace
 {
 /// Steps of one local search for a bad point.
 constexpr int STEPS = 8;
+/// A proof of a round region that has taken so many parts looks for a bad point once more, from far.
+constexpr std::int64_t LONG_PROOF = 1024;
 /// Parts that are looked at side by side.
 constexpr std::size_t BATCH = 8;
 /// Batches between two looks at the clock.
@@ -56,6 +58,18 @@ Cut cutOff(const Box& part, const AffineForm<double>& form)
   return cut;
 }
 
+/// The axis of a cylinder along parallel rails, or -1. Nothing but joint values changes along it, and these in
+/// proportion, so that parts need not be divided there. Told by two points: only the number of parts depends on it.
+int wholeAxis(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
+{
+  if (shape.isPolytope() || shape.ballRadius(size))
+    return -1;
+  const auto strutsAt = [&](double height) {
+    return test.model().evaluate(std::array<double, 3>{ center.x(), center.y(), center.z() + height }).strut;
+  };
+  return strutsAt(0.0) == strutsAt(size * shape.halfExtents().z()) ? 2 : -1;
+}
+
 /// Subdivides one region; looks for a bad point wherever the margin is the least so far.
 class Proof
 {
@@ -69,6 +83,7 @@ public:
     , shape_(shape)
     , center_(center)
     , size_(size)
+    , whole_axis_(wholeAxis(test, shape, center, size))
   {}
 
   ContainmentResult run()
@@ -88,7 +103,7 @@ private:
       return;
     divideAtCenter(shape_.boundingBox(center_, size_));
     while (!open_.empty())
-      if (isOver() || !lookAtBatch())
+      if (isOver() || !lookAtBatch() || (becomesLong() && proveBad(search_.worstFromFar())))
         return;
     result_.verdict = Containment::INSIDE;
   }
@@ -104,7 +119,7 @@ private:
   {
     open_ = { bounds };
     for (int axis = 0; axis < 3; ++axis)
-      if (bounds.canBisect(axis))
+      if (flattened(bounds).canBisect(axis))
         for (std::size_t k = open_.size(); k-- > 0;)
         {
           const auto halves = open_[k].bisect(axis);
@@ -125,6 +140,8 @@ private:
     const auto worst = std::min_element(margins.begin(), margins.end());
     return refute(center_ + size_ * extremes[static_cast<std::size_t>(worst - margins.begin())], *worst);
   }
+
+  bool becomesLong() { return !is_long_ && !shape_.isPolytope() && (is_long_ = result_.boxes >= LONG_PROOF); }
 
   bool refuteAtSpheres()
   {
@@ -183,12 +200,14 @@ private:
   bool refuteWithin(const std::array<Box, BATCH>& parts, const std::array<BoxVerdict, BATCH>& verdicts,
                     std::size_t count)
   {
-    std::array<Eigen::Vector3d, BATCH> centers;
-    std::array<double, BATCH> margins;
+    std::array<Eigen::Vector3d, 2 * BATCH> centers;
+    std::array<double, 2 * BATCH> margins;
     std::size_t undecided = 0;
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] != BoxVerdict::INSIDE)
-        centers[undecided++] = shape_.nearest(parts[k].center(), center_, size_);
+        for (const double side : { -1.0, 1.0 })
+          if (side < 0.0 || whole_axis_ >= 0)
+            centers[undecided++] = shape_.nearest(endOf(parts[k], side), center_, size_);
     if (undecided == 0)
       return false;
     for (std::size_t k = 0; k < undecided && !test_.spheres().empty(); ++k)
@@ -206,18 +225,41 @@ private:
       return false;
     const Eigen::Vector3d worst = search_.descend(start, STEPS);
     least_margin_ = std::min(margin, test_.margin(worst));
-    result_.bad_point = search_.proveBad(worst);
+    return proveBad(worst);
+  }
+
+  bool proveBad(const Eigen::Vector3d& point)
+  {
+    result_.bad_point = search_.proveBad(point);
     if (result_.bad_point)
       result_.verdict = Containment::OUTSIDE;
     return result_.bad_point.has_value();
   }
 
+  /// The center of a part, at one end of it where it is not divided: there joint limits are at their worst.
+  Eigen::Vector3d endOf(const Box& part, double side) const
+  {
+    Eigen::Vector3d end = part.center();
+    if (whole_axis_ >= 0)
+      end[whole_axis_] = side < 0.0 ? part.lower[whole_axis_] : part.upper[whole_axis_];
+    return end;
+  }
+
+  /// The part as far as it may be divided.
+  Box flattened(Box part) const
+  {
+    if (whole_axis_ >= 0)
+      part.lower[whole_axis_] = part.upper[whole_axis_];
+    return part;
+  }
+
   bool divide(const Box& part, const AffineForm<double>& worst)
   {
-    result_.is_within_rounding = test_.isBeyondPrecision(part);
+    const Box flat = flattened(part);
+    result_.is_within_rounding = test_.isBeyondPrecision(flat);
     if (result_.is_within_rounding)
       return false;
-    const Cut cut = cutOff(part, worst);
+    const Cut cut = cutOff(flat, worst);
     const auto halves = part.splitAt(cut.axis, cut.plane);
     open_.push_back(halves.second);
     open_.push_back(halves.first);
@@ -232,8 +274,10 @@ private:
   const Shape& shape_;
   Eigen::Vector3d center_;
   double size_;
+  int whole_axis_;
   std::int64_t batches_ = 0;
   double least_margin_ = std::numeric_limits<double>::infinity();
+  bool is_long_ = false;
   std::vector<Box> open_;
   ContainmentResult result_;
 };

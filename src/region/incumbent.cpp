@@ -8,8 +8,12 @@ namespace pkm_workspace
 {
 namespace
 {
-/// Boxes that one region may take to be proved, and the share of all that are allowed.
+/// Boxes that one region may take to be proved, round ones because they touch bounds all along a curve; and the share
+/// of all that are allowed.
 constexpr std::int64_t VERIFICATION_BOXES = 20000;
+constexpr std::int64_t ROUND_VERIFICATION_BOXES = 100000;
+/// Where a proof was given up after that many, the next ones that get them are smaller by this share of the accuracy.
+constexpr double LESS = 0.1;
 constexpr std::int64_t VERIFICATIONS = 16;
 }  // namespace
 
@@ -18,6 +22,12 @@ Incumbent::Incumbent(const BoxTest& test, const RegionQuery& query, const Runnin
   : test_(test), query_(query), budget_(budget), most_(most > 0 ? most : std::numeric_limits<std::int64_t>::max())
 {
   candidate_.size = known;
+}
+
+std::int64_t Incumbent::allowedBoxes(double size) const
+{
+  const bool may_be_long = !query_.shape->isPolytope() && size < given_up_ - LESS * query_.accuracy;
+  return std::min(may_be_long ? ROUND_VERIFICATION_BOXES : VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
 }
 
 bool Incumbent::asksFor(double size) const
@@ -30,7 +40,7 @@ ContainmentResult Incumbent::certify(const Candidate& region)
   if (!asksFor(region.size))
     return {};
   Budget budget = budget_.rest();
-  budget.max_boxes = std::min(VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
+  budget.max_boxes = allowedBoxes(region.size);
   const ContainmentResult proof = checkContainment(test_, *query_.shape, region.center, region.size, budget);
   boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
@@ -38,6 +48,8 @@ ContainmentResult Incumbent::certify(const Candidate& region)
     candidate_ = region;
     found_ = true;
   }
+  else if (proof.boxes >= ROUND_VERIFICATION_BOXES)
+    given_up_ = region.size;
   return proof;
 }
 }  // namespace pkm_workspace

@@ -85,6 +85,52 @@ TEST(SearchCost, aSpotWithinTheSquare)
   EXPECT_LE(bad.verification_boxes, 15000);
 }
 
+// The condition number is near to its bound all along a curve on the sphere, or the sphere next to that on which the
+// struts are one: proofs take many parts, and a bad point is hardly worse than its neighbours.
+TEST(SearchCost, spheresThatNearlyTouchAllAlongACurve)
+{
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.kappa_max = 20.0;
+  const auto proof =
+      checkContainment(BoxTest(orthoglide(), criterion), *makeSphere(), Eigen::Vector3d::Constant(0.0757), 0.8018);
+  EXPECT_EQ(proof.verdict, Containment::OUTSIDE);
+  EXPECT_LE(proof.boxes, 2000);
+  for (const double kappa_max : { 20.0, 0.0 })
+  {
+    RegionQuery query;
+    query.shape = makeSphere();
+    query.accuracy = 1e-3;
+    query.criterion = criterion;
+    query.criterion.kappa_max = kappa_max;
+    query.budget.max_boxes = 1000;
+    const LargestRegion sphere = findLargestRegion(orthoglide(), query);
+    EXPECT_EQ(sphere.status, LargestRegion::Status::PROVEN) << kappa_max << ": " << sphere.message;
+    EXPECT_LE(sphere.verification_boxes, 600000) << kappa_max;
+  }
+}
+
+// Nothing but joint values changes along parallel rails: a cylinder costs what a disc does, with limits and without.
+TEST(SearchCost, cylindersAlongParallelRails)
+{
+  Machine::Legs legs = uranesx().legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-0.4, 0.4);
+  for (const Machine& machine : { uranesx(), Machine("limited", legs, uranesx().zero()) })
+    for (const RatioRange& range : { RatioRange{ 0.5, 0.5 }, RatioRange{ 0.5, 0.8 } })
+    {
+      RegionQuery query;
+      setShape("cylinder", std::nullopt, range, query);
+      query.accuracy = 1e-3;
+      query.criterion.joint_limits = true;
+      query.budget.max_boxes = 4000;
+      const LargestRegion cylinder = findLargestRegion(machine, query);
+      EXPECT_EQ(cylinder.status, LargestRegion::Status::PROVEN)
+          << machine.name() << ", " << range.upper << ": " << cylinder.message;
+      EXPECT_LE(cylinder.verification_boxes, range.upper > 0.5 ? 150000 : 15000) << machine.name();
+    }
+}
+
 // Limits that the reach of the struts implies, as a URDF has to have some.
 TEST(SearchCost, limitsThatBindNothing)
 {

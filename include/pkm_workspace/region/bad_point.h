@@ -19,6 +19,10 @@ public:
   /// @param steps at the most @return the worst point found [m]
   Eigen::Vector3d descend(const Eigen::Vector3d& start, int steps) const;
 
+  /// The worst point that many steps lead to from the worst extreme points [m]: where the surface is near to the border
+  /// all along a curve, the margin hardly changes on the way to its least.
+  Eigen::Vector3d worstFromFar() const;
+
   /// A point within rounding of the given one that is proved to lie in the region and to violate the criterion, if any.
   std::optional<Eigen::Vector3d> proveBad(const Eigen::Vector3d& point) const;
 

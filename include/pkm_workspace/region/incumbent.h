@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/region/containment.h"
@@ -30,12 +31,15 @@ public:
   ContainmentResult certify(const Candidate& region);
 
 private:
+  std::int64_t allowedBoxes(double size) const;
+
   const BoxTest& test_;
   const RegionQuery& query_;
   const RunningBudget& budget_;
   std::int64_t most_;
   Candidate candidate_;
   bool found_ = false;
+  double given_up_ = std::numeric_limits<double>::infinity();  ///< the least size whose proof took too many boxes
   std::int64_t boxes_ = 0;
 };
 }  // namespace pkm_workspace
