@@ -127,7 +127,7 @@ TEST(SearchCost, cylindersAlongParallelRails)
       const LargestRegion cylinder = findLargestRegion(machine, query);
       EXPECT_EQ(cylinder.status, LargestRegion::Status::PROVEN)
           << machine.name() << ", " << range.upper << ": " << cylinder.message;
-      EXPECT_LE(cylinder.verification_boxes, range.upper > 0.5 ? 150000 : 15000) << machine.name();
+      EXPECT_LE(cylinder.verification_boxes, range.upper > 0.5 ? 150000 : 20000) << machine.name();
     }
 }
 
