@@ -31,7 +31,9 @@ double processorTime()
 
 int processors()
 {
-  return static_cast<int>(std::min(1024U, std::max(1U, std::thread::hardware_concurrency())));
+  // Asking takes the system longer than the proof of a cube.
+  static const int count = static_cast<int>(std::min(1024U, std::max(1U, std::thread::hardware_concurrency())));
+  return count;
 }
 
 ThreadPool::ThreadPool(int threads, double alone)
