@@ -150,8 +150,9 @@ LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query
   Problems problems;
   validateAccuracy(machine, validated(query), problems);
   throwProblems(problems);
+  const RunningBudget budget(query.budget);
   LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
-  settleHeight(machine, query, region);
+  settleHeight(machine, query, budget, region);
   if (region.status == LargestRegion::Status::NONE && query.criterion.joint_limits)
     region.message += railsThatCannotMove(machine);
   return region;

@@ -51,18 +51,17 @@ Interval travelOf(const Machine& machine, const RegionQuery& query, const Larges
   return travel;
 }
 
-bool isProved(const BoxTest& test, const RegionQuery& query, const Vector3d& center, LargestRegion& region)
+bool isProved(const BoxTest& test, const RunningBudget& budget, const Vector3d& center, LargestRegion& region)
 {
-  Budget budget;
-  budget.max_boxes = VERIFICATION_BOXES;
-  budget.stop = query.budget.stop;
-  const ContainmentResult proof = checkContainment(test, *region.shape, center, region.size, budget);
+  Budget left = budget.rest();
+  left.max_boxes = VERIFICATION_BOXES;
+  const ContainmentResult proof = checkContainment(test, *region.shape, center, region.size, left);
   region.verification_boxes += proof.boxes;
   return proof.verdict == Containment::INSIDE;
 }
 }  // namespace
 
-void settleHeight(const Machine& machine, const RegionQuery& query, LargestRegion& region)
+void settleHeight(const Machine& machine, const RegionQuery& query, const RunningBudget& budget, LargestRegion& region)
 {
   if (!(region.size > 0.0))
     return;
@@ -86,7 +85,9 @@ void settleHeight(const Machine& machine, const RegionQuery& query, LargestRegio
       center[axis] = height;
     if (query.search_box)
       center = center.cwiseMax(query.search_box->lower).cwiseMin(query.search_box->upper);
-    if (!isProved(test, query, center, region))
+    if (budget.isOver())
+      return;
+    if (!isProved(test, budget, center, region))
       continue;
     region.center = center;
     region.joint_ranges = jointRanges(machine, *region.shape, region.center, region.size);

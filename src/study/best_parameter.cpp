@@ -245,7 +245,7 @@ private:
       addCandidate({ part.parameters, part.bound });
     best_.range = query_.range;
     if (best_.region.size > 0.0)
-      settleHeight(query_.family.at(Interval(best_.parameter)), query_.region, best_.region);
+      settleHeight(query_.family.at(Interval(best_.parameter)), query_.region, budget_, best_.region);
     return best_;
   }
 

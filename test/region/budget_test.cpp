@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_height.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
 
@@ -54,6 +55,26 @@ TEST(Budget, aTimeLimitThatHasPassedEndsTheSearch)
   RegionQuery query;
   query.budget.time_limit = 1e-9;
   expectHonest(findLargestRegion(orthoglide(), query));
+}
+
+TEST(Budget, aRegionIsNotMovedAlongTheRailsWhenTheTimeIsOver)
+{
+  const Machine machine = uranesx();
+  RegionQuery query;
+  setShape("square", std::nullopt, std::nullopt, query);
+  LargestRegion region = findLargestRegion(machine, query);
+  const double settled = region.center.z();
+  region.center.z() = settled + 0.01;
+  std::atomic<bool> stop(true);
+  query.budget.stop = &stop;
+  const std::int64_t proved = region.verification_boxes;
+  settleHeight(machine, query, RunningBudget(query.budget), region);
+  EXPECT_EQ(region.center.z(), settled + 0.01);
+  EXPECT_EQ(region.verification_boxes, proved);
+  stop = false;
+  settleHeight(machine, query, RunningBudget(query.budget), region);
+  EXPECT_EQ(region.center.z(), settled);
+  EXPECT_GT(region.verification_boxes, proved);
 }
 
 TEST(Budget, theMemoryEndsTheSearchWithAnHonestBracket)
