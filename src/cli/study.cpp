@@ -92,7 +92,7 @@ public:
     const BestParameter best = findBestParameter(query_);
     std::vector<BestParameter> parts;
     if (parts_ > 0)
-      parts = bestOfParts(query_, parts_);
+      parts = bestOfParts(query_, parts_, best);
     return { json(best, parts), print(best, parts) };
   }
 

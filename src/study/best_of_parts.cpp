@@ -22,9 +22,21 @@ std::vector<Interval> equalParts(const Interval& range, int count)
   }
   return parts;
 }
+
+/// Lowers the upper bounds of a part to what is proved of the whole range.
+void lowerBounds(const BestParameter& whole, BestParameter& part)
+{
+  double bound = whole.region.size;
+  for (const StudyPart& candidate : whole.candidates)
+    if (!intersection(candidate.parameters, part.range).isEmpty())
+      bound = std::max(bound, candidate.size_upper_bound);
+  part.region.size_upper_bound = std::min(part.region.size_upper_bound, bound);
+  for (StudyPart& candidate : part.candidates)
+    candidate.size_upper_bound = std::min(candidate.size_upper_bound, bound);
+}
 }  // namespace
 
-std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count)
+std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count, const BestParameter& whole)
 {
   validated(query);
   if (count < 1)
@@ -54,6 +66,8 @@ std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count)
   for (const std::exception_ptr& failure : failures)
     if (failure)
       std::rethrow_exception(failure);
+  for (BestParameter& part : parts)
+    lowerBounds(whole, part);
   return parts;
 }
 }  // namespace pkm_workspace

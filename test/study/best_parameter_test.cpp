@@ -138,7 +138,7 @@ TEST(BestParameter, partsCoverTheRange)
   {
     StudyQuery query = squares(0.38, 0.42, 1e-3);
     query.region.budget.threads = threads;
-    const auto parts = bestOfParts(query, 4);
+    const auto parts = bestOfParts(query, 4, findBestParameter(query));
     ASSERT_EQ(parts.size(), 4U);
     double lower = 0.38;
     for (const BestParameter& part : parts)
@@ -154,6 +154,20 @@ TEST(BestParameter, partsCoverTheRange)
   }
 }
 
+/// Parts whose budget proves nothing of them were told without an upper bound beside a proved one of the whole range.
+TEST(BestParameter, partsAreBoundedByWhatIsProvedOfTheWholeRange)
+{
+  StudyQuery query = squares(0.38, 0.42, 1e-3);
+  const BestParameter whole = findBestParameter(query);
+  ASSERT_EQ(whole.region.status, LargestRegion::Status::PROVEN);
+  query.region.budget.max_boxes = 4;
+  const auto parts = bestOfParts(query, 4, whole);
+  EXPECT_LE(parts.front().region.size_upper_bound, whole.region.size_upper_bound);
+  EXPECT_EQ(parts.back().region.size_upper_bound, whole.region.size) << "no candidate is in this part";
+  for (const BestParameter& part : parts)
+    EXPECT_GE(part.region.size_upper_bound, largestAt(squares(0.38, 0.42, 1e-6), part.range.upper()).size);
+}
+
 TEST(BestParameter, allThatIsWrongIsTold)
 {
   StudyQuery query;
@@ -164,7 +178,7 @@ TEST(BestParameter, allThatIsWrongIsTold)
     test::expectThrow<std::invalid_argument>([&] { findBestParameter(query); }, problem);
   test::expectThrow<std::invalid_argument>([&] { findBestParameter(squares(0.5, 1.5, 1e-3)); },
                                            R"(R - r = \[1.*\] m must lie)");
-  test::expectThrow<std::invalid_argument>([&] { bestOfParts(squares(0.4, 0.5, 1e-3), 0); }, "1 part or more");
+  test::expectThrow<std::invalid_argument>([&] { bestOfParts(squares(0.4, 0.5, 1e-3), 0, {}); }, "1 part or more");
 }
 
 TEST(BestParameter, progressIsABracketOfTheAnswerAllTheWay)

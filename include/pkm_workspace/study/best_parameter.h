@@ -59,6 +59,7 @@ BestParameter findBestParameter(const StudyQuery& query);
 
 /// The same for each of so many equal parts of the range: how the size goes with the parameter, with its jumps. The
 /// budget is shared evenly; the family is asked by several threads at a time.
-/// @param count of the parts, >= 1 @throws std::invalid_argument as above
-std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count);
+/// @param count of the parts, >= 1 @param whole what findBestParameter() answered: it bounds the parts, too
+/// @throws std::invalid_argument as above
+std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count, const BestParameter& whole);
 }  // namespace pkm_workspace
