@@ -84,12 +84,11 @@ public:
   {
     machine_.declare(options);
     options.text("file", file_, "FILE", "file with the lines of the path, in metres, in the frame of the root link");
-    options.repeated("segment", "LINE", "one line of the path; may be given many times, in place of a file",
-                     [this](const Words& words) {
-                       Problems problems;
-                       path_.read(words[0], problems);
-                       throwProblems(problems);
-                     });
+    options.repeated("segment", "LINE", "one line of the path, in place of a file", [this](const Words& words) {
+      Problems problems;
+      path_.read(words[0], problems);
+      throwProblems(problems);
+    });
     options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
     options.count("max-looks", query_.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
@@ -191,18 +190,24 @@ private:
   {
     std::vector<Words> rows = { { "verdict", cli::name(result.verdict) } };
     if (result.motion)
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const std::string joint = machine_.machine().legs()[i].joint;
-        const PathMotion& motion = *result.motion;
-        rows.push_back({ "psi " + std::to_string(i + 1), bracket(motion.psi[i].lower(), motion.psi[i].upper()) });
-        rows.push_back({ "rho of '" + joint + "'", bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
-        rows.push_back({ "speed of '" + joint + "'", "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
-      }
+      addMotion(*result.motion, rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
     return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) +
            (checks_.size() == 1 ? " segment" : " segments") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
            wrapped(message(result)) + wrapped(definition(machine_.machine(), criterion_));
+  }
+
+  /// The factors are those of the machine, the rest is told leg by leg.
+  void addMotion(const PathMotion& motion, std::vector<Words>& rows) const
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      rows.push_back({ "psi " + std::to_string(i + 1), bracket(motion.psi[i].lower(), motion.psi[i].upper()) });
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::string joint = "'" + machine_.machine().legs()[i].joint + "'";
+      rows.push_back({ "rho of " + joint, bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
+      rows.push_back({ "speed of " + joint, "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
+    }
   }
 
   MachineOptions machine_;

@@ -45,7 +45,7 @@ public:
     region_.declare(options);
     aspect_.declare(options, criterion_.aspect,
                     "sign of det A at the points that count: that of the machine's zero configuration, the other, or "
-                    "any; a parallel singularity lies between the two");
+                    "any; points where it is 0, the parallel singularities, count in each");
     options.onOff("joint-limits", criterion_.joint_limits, "whether only points within the URDF's joint limits count");
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
                    "wanted width of each enclosure, relative to its upper end");

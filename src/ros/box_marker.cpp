@@ -67,12 +67,12 @@ Box around(const Eigen::Vector3d& center, const Eigen::Vector3d& sides)
 std::string textOf(const ContainmentResult& result)
 {
   if (result.verdict == Containment::INSIDE)
-    return "inside: proved for every point";
+    return "box inside: proved for every point";
   if (result.verdict == Containment::UNDECIDED)
-    return "undecided: its border is too near";
+    return "box undecided: the border of the set is too near";
   TextStream text;
   const Eigen::Vector3d& bad = *result.bad_point;
-  text << "outside: a bad point is near (" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", "
+  text << "box outside: a bad point is near\n(" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", "
        << nearly(bad.z(), 4) << ") m";
   return text.str();
 }
@@ -208,7 +208,7 @@ void BoxMarker::set(const Box& box)
     handles_.setPose(nameOf(face), poseAt(handlePlace(face)));
   handles_.applyChanges();
   auto shown = boxMarkers(box, result, context_.machine(), context_.frames.root().frame);
-  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0));
+  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0), "");
   markers_.publish(shown);
 }
 

@@ -192,8 +192,8 @@ std::string describe(const RegionQuery& query)
   TextStream text;
   text << "largest " << query.shape->name();
   if (query.ratio)
-    text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height,";
-  text << " with " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
+    text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height";
+  text << ", " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
        << query.budget.time_limit << " s";
   return text.str();
 }
@@ -203,12 +203,13 @@ std::string summary(const Answer& answer)
   const LargestRegion& region = answer.region;
   const Shape& shape = *region.shape;
   TextStream text;
-  text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m, " << shape.sizeMeaning() << " proven: ";
-  text << region.size << ", no ";
+  text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m of frame '" << answer.question.in.frame
+       << "', ";
   if (region.ratio)
-    text << "volume above " << region.volume_upper_bound << " m^3";
+    text << "height " << region.size << " m, volume [m^3] proven: " << region.volume << ", no larger than "
+         << region.volume_upper_bound;
   else
-    text << "larger than " << region.size_upper_bound;
+    text << shape.sizeMeaning() << " proven: " << region.size << ", no larger than " << region.size_upper_bound;
   text << "; " << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
   return text.str();
 }

@@ -143,7 +143,7 @@ Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, dou
   return message;
 }
 
-std::string captionOf(const Hypotheses& hypotheses)
+std::string captionOf(const Hypotheses& hypotheses, const std::string& precision)
 {
   constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
   Criterion criterion;
@@ -159,8 +159,8 @@ std::string captionOf(const Hypotheses& hypotheses)
   text << hypotheses.machine << ", geometry " << hypotheses.geometry_hash.substr(0, ENOUGH) << ", pkm_workspace "
        << hypotheses.version << '\n'
        << describe(criterion);
-  if (hypotheses.accuracy > 0.0)
-    text << ", accuracy " << hypotheses.accuracy << " m";
+  if (!precision.empty())
+    text << ", " << precision << ' ' << hypotheses.accuracy << " m";
   return text.str();
 }
 }  // namespace pkm_workspace

@@ -99,7 +99,7 @@ void addDisc(const Eigen::Vector3d& center, double radius, Scene& scene)
   addCircle(center, radius, 2, scene);
 }
 
-void addBox(const Region& region, Scene& scene)
+void addBox(const Region& region, bool below, Scene& scene)
 {
   const Eigen::Vector3d center = fromMessage(region.center);
   const Eigen::Vector3d sides = sidesOf(region);
@@ -109,10 +109,8 @@ void addBox(const Region& region, Scene& scene)
   if (sides.z() > 0.0)
     text += " x " + digits(sides.z(), roundedDown);
   text += " m";
-  // above what is solid; in front of a square, where the struts do not cross it
-  const bool solid = sides.z() > 0.0;
-  const double distance = (solid ? 100.0 : -80.0) * scene.unit();
-  scene.addText("region", corner(center, sides, solid ? 4U : 3U) + distance * Eigen::Vector3d::UnitZ(), text);
+  const double distance = (below ? -80.0 : 100.0) * scene.unit();
+  scene.addText("region", corner(center, sides, below ? 3U : 4U) + distance * Eigen::Vector3d::UnitZ(), text);
 }
 
 /// With circles around both ends.
@@ -126,7 +124,7 @@ void addCylinder(const Eigen::Vector3d& center, double height, double radius, Sc
     addCircle(center + end * height * Eigen::Vector3d::UnitZ(), radius, 2, scene);
 }
 
-void addRound(const Region& region, Scene& scene)
+void addRound(const Region& region, bool below, Scene& scene)
 {
   const Eigen::Vector3d center = fromMessage(region.center);
   const std::vector<double>& dimensions = region.solid.dimensions;
@@ -142,17 +140,32 @@ void addRound(const Region& region, Scene& scene)
   std::string text = region.shape + " of radius " + digits(radius, roundedDown) + " m";
   if (!is_sphere && height > 0.0)
     text += ", height " + digits(height, roundedDown) + " m";
-  const Eigen::Vector3d place = height > 0.0 ? (0.5 * height + 100.0 * scene.unit()) * Eigen::Vector3d::UnitZ()
-                                             : -(radius + 80.0 * scene.unit()) * Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d place =
+      height > 0.0 ? (below ? -1.0 : 1.0) * (0.5 * height + 100.0 * scene.unit()) * Eigen::Vector3d::UnitZ()
+                   : -(radius + 80.0 * scene.unit()) * Eigen::Vector3d::UnitY();
   scene.addText("region", center + place, text);
 }
 
-void addRegion(const Region& region, Scene& scene)
+/// Whether the sliders are above the region, so that the struts do not cross what is written below it.
+bool hangsBelowSliders(const Region& region, const Machine& machine)
 {
-  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
+  double above = 0.0;
+  for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
+  {
+    const RailRange& range = region.joint_ranges[i];
+    above += sliderPoint(machine.leg(static_cast<int>(i)), 0.5 * (range.lower + range.upper)).z() - region.center.z;
+  }
+  return above > 0.0;
+}
+
+void addRegion(const Region& region, const Machine& machine, Scene& scene)
+{
+  const bool below = hangsBelowSliders(region, machine);
+  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, below, scene) : addRound(region, below, scene);
   const Eigen::Vector3d label = fromMessage(scene.array().markers.back().pose.position);
-  const double outwards = label.z() < region.center.z ? -90.0 : 90.0;
-  scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(), captionOf(region.hypotheses));
+  const double outwards = label.z() < region.center.z ? -105.0 : 90.0;
+  scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(),
+                   captionOf(region.hypotheses, "accuracy"));
 }
 
 /// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
@@ -165,7 +178,7 @@ Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::
   const double on_rail = std::min(std::max(end, leg.limits.lower()), leg.limits.upper());
   const Eigen::Vector3d axis = mid(leg.axis);
   const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ() - axis.z() * axis;
-  return sliderPoint(leg, on_rail + outwards * 200.0 * unit) + 100.0 * unit * upwards;
+  return sliderPoint(leg, on_rail + outwards * 210.0 * unit) + 140.0 * unit * upwards;
 }
 
 void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, Scene& scene)
@@ -173,7 +186,7 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
   bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
-  const std::string text = range.joint + "\nDelta rho\nat most\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
+  const std::string text = range.joint + "\nstroke <=\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
   scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
 }
 }  // namespace
@@ -183,7 +196,7 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& m
 {
   Scene scene(region.header, machine.scale() / 1000.0);
   if (region.size > 0.0)
-    addRegion(region, scene);
+    addRegion(region, machine, scene);
   if (paving)
     addPaving(paving->tree, "paving_inside", show_boundary ? "paving_boundary" : "", scene);
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
@@ -197,7 +210,7 @@ visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& m
   addPaving(paving.tree, "inside", "boundary", scene);
   const Box& whole = paving.tree.bisection().root();
   const double above = whole.upper.z() + 100.0 * scene.unit();
-  scene.addCaption({ whole.center().x(), whole.center().y(), above }, captionOf(workspace.hypotheses));
+  scene.addCaption({ whole.center().x(), whole.center().y(), above }, captionOf(workspace.hypotheses, "resolution"));
   return scene.array();
 }
 

@@ -102,8 +102,8 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
 std::string describe(const PavingQuery& query)
 {
   TextStream text;
-  text << "paving of the set with " << describe(query.criterion) << ", resolution " << query.resolution << " m, within "
-       << query.budget.time_limit << " s";
+  text << "paving of all points that are " << describe(query.criterion) << ", resolution " << query.resolution
+       << " m, within " << query.budget.time_limit << " s";
   return text.str();
 }
 

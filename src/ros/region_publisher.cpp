@@ -95,9 +95,11 @@ const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const R
       return &*paving_;
     wanted.budget.stop = stop.get();
     paving_ = pave(*question.in.machine, wanted);
+    const BoxTree& tree = paving_->tree;
     ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
-                   static_cast<long>(paving_->tree.count(CellState::INSIDE)),
-                   static_cast<long>(paving_->boxes - paving_->tree.count(CellState::INSIDE)), paving_->seconds);
+                   static_cast<long>(tree.count(CellState::INSIDE)),
+                   static_cast<long>(tree.count(CellState::BOUNDARY) + tree.count(CellState::PENDING)),
+                   paving_->seconds);
     if (!*stop)
       return &*paving_;
     paving_.reset();  // it is not what was asked for

@@ -84,9 +84,11 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   for (int i = 0; i < 3; ++i)
     add(found.serial[static_cast<std::size_t>(i)], "serial singularity: " + machine.leg(i).joint);
   add(found.parallel, "parallel singularity");
-  const Eigen::Vector3d last = fromMessage(scene.array().markers.back().pose.position);
-  scene.addCaption(last + 90.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
-                   found.message + '\n' + captionOf(found.hypotheses));
+  Eigen::Vector3d highest = fromMessage(scene.array().markers.back().pose.position);
+  for (const Marker& marker : scene.array().markers)
+    highest.z() = std::max(highest.z(), marker.pose.position.z);
+  scene.addCaption(highest + 90.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
+                   found.message + '\n' + captionOf(found.hypotheses, ""));
   return scene.array();
 }
 
@@ -103,19 +105,27 @@ bool isStopped(const FindSingularities::Response& found)
                      [](const SingularityFinding& finding) { return finding.status == SingularityFinding::UNDECIDED; });
 }
 
-std::string sentence(const FindSingularities::Response& found)
+/// "; heading: the kinds of singularities with that status"; nothing where there are none.
+std::string listOf(std::uint8_t status, const std::string& heading, const FindSingularities::Response& found,
+                   const Machine& machine)
 {
-  int proved = 0;
-  int undecided = 0;
-  for (const SingularityFinding& finding : findingsOf(found))
-  {
-    proved += finding.status == SingularityFinding::PROVED ? 1 : 0;
-    undecided += finding.status == SingularityFinding::UNDECIDED ? 1 : 0;
-  }
-  if (proved == 0 && undecided == 0)
+  std::string list;
+  for (int i = 0; i < 3; ++i)
+    if (found.serial[static_cast<std::size_t>(i)].status == status)
+      list += (list.empty() ? "serial of " : ", ") + machine.leg(i).joint;
+  if (found.parallel.status == status)
+    list += list.empty() ? "parallel" : " and parallel";
+  return list.empty() ? "" : "; " + heading + ": " + list;
+}
+
+std::string sentence(const FindSingularities::Response& found, const Machine& machine)
+{
+  const std::string exist = listOf(SingularityFinding::PROVED, "proved to exist", found, machine);
+  const std::string open = listOf(SingularityFinding::UNDECIDED, "undecided", found, machine);
+  if (exist.empty() && open.empty())
     return "proved: no point that counts is singular";
-  return "of the three kinds of serial singularities and the parallel ones, " + std::to_string(proved) +
-         " are proved to exist and " + std::to_string(undecided) + " are undecided";
+  const std::string none = listOf(SingularityFinding::NONE, "proved not to exist", found, machine);
+  return "singularities" + (exist + none + open).substr(1);
 }
 }  // namespace
 
@@ -179,7 +189,7 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
     response.serial.push_back(findingOf(answer));
   response.parallel = findingOf(found.parallel);
   response.seconds = found.seconds;
-  response.message = sentence(response);
+  response.message = sentence(response, *question.in.machine);
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
   context_.health.noteComputation({ "singularities", response.message, found.seconds, isStopped(response) });
   markers_.publish(inRoot(markersOf(response, *question.in.machine), question.in, context_.frames.root().frame));

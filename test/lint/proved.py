@@ -24,7 +24,7 @@ COVERED = {
     "Proved: every point of the path is in the set.": "path inside",
     "Proved: the path ": "path leaves",
     "Neither is proved: ": "nothing",
-    "inside: proved for every point": "ros/box_marker_test.cpp: hasABoxWhoseVerdictColorsIt",
+    "box inside: proved for every point": "ros/box_marker_test.cpp: hasABoxWhoseVerdictColorsIt",
     "proved: every point of the region satisfies the criterion": "ros/planner_test.cpp: hasNoTolerance",
     "proved: the bad point violates the criterion; ": "ros/planner_test.cpp: hasNoTolerance",
     # told of what checkContainment answers, which pkm check is told too

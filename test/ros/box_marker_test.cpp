@@ -20,11 +20,11 @@ TEST_F(BoxMarkerTest, hasABoxWhoseVerdictColorsIt)
   const auto small =
       markers("box_markers", [&](const auto& found) { return std::abs(boxOf(found).pose.position.x - 0.02) < 1e-9; });
   EXPECT_GT(boxOf(small).color.g, boxOf(small).color.r) << textOf(small, "verdict");
-  EXPECT_NE(std::string::npos, textOf(small, "verdict").find("inside"));
+  EXPECT_NE(std::string::npos, textOf(small, "verdict").find("box inside"));
   drag("box_x1", Eigen::Vector3d(0.3, 0.0, 0.0));
   const auto large = markers("box_markers", [&](const auto& found) { return boxOf(found).scale.x > 0.2; });
   EXPECT_GT(boxOf(large).color.r, boxOf(large).color.g) << textOf(large, "verdict");
-  EXPECT_NE(std::string::npos, textOf(large, "verdict").find("outside"));
+  EXPECT_NE(std::string::npos, textOf(large, "verdict").find("box outside"));
   EXPECT_GT(named(large, "bad_point").scale.x, 0.0);
 }
 

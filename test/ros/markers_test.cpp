@@ -254,7 +254,7 @@ TEST(Markers, drawJointRangesAlongTheRails)
   EXPECT_EQ(-0.5, bars[0].points[1].x);
   const auto labels = ofType(markers, Marker::TEXT_VIEW_FACING);
   ASSERT_EQ(1U, labels.size());
-  EXPECT_EQ("rail_x\nDelta rho\nat most\n0.75 m", labels[0].text);
+  EXPECT_EQ("rail_x\nstroke <=\n0.75 m", labels[0].text);
 }
 
 TEST(Markers, roundWhatTheyPrintToTheSideOnWhichItHolds)
@@ -264,8 +264,22 @@ TEST(Markers, roundWhatTheyPrintToTheSideOnWhichItHolds)
   const auto array = draw(region);
   EXPECT_EQ("box 0.64395 x 0.64395 x 0.64395 m",
             ofType(inNamespace(array, "region"), Marker::TEXT_VIEW_FACING)[0].text);
-  EXPECT_EQ("rail_x\nDelta rho\nat most\n0.82746 m",
+  EXPECT_EQ("rail_x\nstroke <=\n0.82746 m",
             ofType(inNamespace(array, "joint_ranges"), Marker::TEXT_VIEW_FACING)[0].text);
+}
+
+/// Struts from above would cross what is written there.
+TEST(Markers, nameTheRegionOnTheSideWhereNoStrutsAre)
+{
+  Region region = regionWithSides(0.5, 0.5, 0.5);
+  region.joint_ranges.resize(3, region.joint_ranges[0]);
+  const auto height = [&region](const Machine& machine) {
+    const auto array = markersOf(region, machine, nullptr, false);
+    return ofType(inNamespace(array, "region"), Marker::TEXT_VIEW_FACING)[0].pose.position.z;
+  };
+  EXPECT_GT(height(orthoglide()), 0.25);
+  region.center.z = -0.9;
+  EXPECT_LT(height(uranesx()), -1.15);
 }
 
 TEST(Markers, showNoRegionWhereThereIsNone)

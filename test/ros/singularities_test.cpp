@@ -63,6 +63,8 @@ TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
   const auto found = find(request);
   ASSERT_EQ(ErrorCode::SUCCESS, found.error_code) << found.message;
   ASSERT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
+  EXPECT_TRUE(std::regex_search(found.message, std::regex("^singularities proved to exist: .*parallel")))
+      << found.message;
   EXPECT_EQ(0.0, found.parallel.least.lower);
   EXPECT_LE(found.parallel.min_corner.x, found.parallel.max_corner.x);
   const auto markers = receive<visualization_msgs::MarkerArray>(NODE + "/singularity_markers")->markers;
@@ -71,6 +73,20 @@ TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
   EXPECT_NEAR(found.parallel.min_corner.x, markers[markers.size() - 3].pose.position.x, 0.01);
   EXPECT_EQ("parallel singularity", markers[markers.size() - 2].text);
   EXPECT_EQ("hypotheses", markers.back().ns);
+  EXPECT_EQ(std::string::npos, markers.back().text.find("accuracy")) << "it is relative, not in metres";
+}
+
+TEST(FindSingularities, countsPointsWhereDetAIsZeroInEachAspect)
+{
+  for (const std::uint8_t aspect : { Request::OWN, Request::OTHER, Request::BOTH })
+  {
+    Request request;
+    request.over = Request::REACHABLE;
+    request.aspect = aspect;
+    const auto found = find(request);
+    EXPECT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
+    EXPECT_EQ("singularities proved to exist: serial of rail_x, rail_y, rail_z and parallel", found.message);
+  }
 }
 
 TEST(FindSingularities, takesRoundSolids)

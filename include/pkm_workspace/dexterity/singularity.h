@@ -16,7 +16,7 @@ struct SingularityQuery
 {
   SingularityQuery() { budget.max_boxes = 200000; }
 
-  Criterion::Aspect aspect = Criterion::Aspect::BOTH;  ///< which sign of det A counts; BOTH: either of them
+  Criterion::Aspect aspect = Criterion::Aspect::BOTH;  ///< which sign of det A counts; 0 counts in each
   bool joint_limits = false;                           ///< whether the joint limits of the machine hold
   /// Joint values with which points are proved to count, each within the limits of the machine [m]; empty: none. For
   /// limits that are themselves enclosures: no singularity is proved beyond these, and none excluded within the limits.

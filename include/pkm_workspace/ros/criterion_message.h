@@ -39,6 +39,7 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);
-/// What a picture holds for, in two short lines: machine and geometry, criterion, accuracy and version.
-std::string captionOf(const Hypotheses& hypotheses);
+/// What a picture holds for, in two short lines: machine and geometry, version, criterion, accuracy.
+/// @param precision what the accuracy [m] is called; empty: it is not told
+std::string captionOf(const Hypotheses& hypotheses, const std::string& precision);
 }  // namespace pkm_workspace

@@ -14,7 +14,7 @@ namespace pkm_workspace
 /// What rviz shows of a region, in the frame of its message: it replaces all that was shown before.
 ///
 /// Namespaces: "region" (its faces and edges, a label), "paving_inside" and "paving_boundary" (one list for each size
-/// of boxes), "joint_ranges" (a bar from slider point to slider point along each rail, a label with Delta rho),
+/// of boxes), "joint_ranges" (a bar from slider point to slider point along each rail, a label with its stroke),
 /// "hypotheses" (what it holds for).
 /// @param paving of the set that the region lies in, or nullptr
 /// @param show_boundary whether its undecided boxes are shown too
