@@ -23,4 +23,12 @@ std::string shortened(const std::string& text, std::size_t most)
     ++begin;
   return text.substr(0, end) + " [" + std::to_string(begin - end) + " bytes left out] " + text.substr(begin);
 }
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : separator) + words[i];
+  return text;
+}
 }  // namespace pkm_workspace

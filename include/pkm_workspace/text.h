@@ -3,10 +3,14 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pkm_workspace
 {
 /// Leaves the middle of a text away where it has more than @p most bytes, and says how much: what is told of an input
 /// does not grow with it. Characters of UTF-8 stay whole.
 std::string shortened(const std::string& text, std::size_t most);
+
+/// The words with the separator between them.
+std::string joined(const std::vector<std::string>& words, const std::string& separator);
 }  // namespace pkm_workspace

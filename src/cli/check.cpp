@@ -5,9 +5,7 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/dexterity/region_check.h"
-#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
-#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "progress.h"
 
@@ -129,22 +127,8 @@ private:
 
   std::string message(const ContainmentResult& result) const
   {
-    if (result.verdict == Containment::INSIDE)
-    {
-      const std::string remark = criterion_.joint_limits ? "" : remarkOnLimits(machine_.machine(), criterion_, reach());
-      return "Proved: every point of the box is " + quality(criterion_) + "." + (remark.empty() ? "" : " ") + remark;
-    }
-    if (result.verdict == Containment::UNDECIDED)
-      return "Neither is proved: " + whyUndecided(result, budget_) + ".";
-    if (result.bad_within > 0.0)
-      return "Proved: no further than " + roundedUp(result.bad_within, 17) +
-             " m from the bad point the box has a point where two struts are one vector, so that det A is 0: a "
-             "parallel "
-             "singularity, which belongs to no aspect.";
-    const Machine& machine = machine_.machine();
-    const Words reasons = violations(evaluatePoint(machine, criterion_, *result.bad_point), machine);
-    return "Proved: the bad point lies in the box and is not " + quality(criterion_) +
-           std::string(reasons.empty() ? "" : ": ") + joined(reasons, "; ") + ".";
+    const PointEvaluator evaluator(machine_.machine(), criterion_);
+    return describe(result, evaluator, *shape_, *center_, 1.0, budget_);
   }
 
   std::string print(const ContainmentResult& result) const

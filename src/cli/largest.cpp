@@ -4,9 +4,9 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
-#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/report/largest_sentence.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -126,8 +126,7 @@ private:
   std::string print(const LargestRegion& region) const
   {
     const Shape& shape = *region.shape;
-    const int decimals =
-        decimalsFor(region.size, region.ratio ? region.size + query_.accuracy : region.size_upper_bound);
+    const int decimals = decimalsOf(region, query_.accuracy);
     std::vector<Words> rows = { { "status", std::string(name(region.status)) + " (" + region.message + ")" },
                                 { shape.sizeMeaning(), roundedDown(region.size, decimals) } };
     if (!region.ratio)
@@ -144,7 +143,8 @@ private:
     text += aligned(rows, Align::LEFT) + "\n";
     if (region.size > 0.0)
       text += table(machine_.machine(), region.joint_ranges, decimals) + "\n";
-    return text + wrapped(proof(region, decimals)) + wrapped(definition(machine_.machine(), query_.criterion)) +
+    return text + wrapped(describe(region, machine_.machine(), query_, center_.has_value())) +
+           wrapped(definition(machine_.machine(), query_.criterion)) +
            wrapped(region.size > 0.0
                        ? remarkOnLimits(machine_.machine(), query_.criterion, reachOver(region.joint_ranges))
                        : "");
@@ -156,31 +156,6 @@ private:
     for (const double side : shape.dimensions(size))
       sides.push_back(roundedDown(side, decimals));
     return joined(sides, " x ") + " m";
-  }
-
-  std::string proof(const LargestRegion& region, int decimals) const
-  {
-    const std::string shape = query_.shape->name();
-    const std::string where = center_             ? "with this center"
-                              : query_.search_box ? "with its center in the search box"
-                                                  : "wherever its center";
-    const std::string first =
-        "every point of the " + shape + " with this center and size is " + quality(query_.criterion) + "; ";
-    const bool slides = slidesAlongRails(machine_.machine(), query_.criterion);
-    return "Proved: " + (region.size > 0.0 ? first : "") + "no " + tooLarge(region, decimals) + ", " + where +
-           ", has all its points " + quality(query_.criterion) + "." +
-           (slides ? " The rails are parallel: the same holds all along them." : "");
-  }
-
-  /// What is proved not to exist: "cube of a size above 0.644".
-  static std::string tooLarge(const LargestRegion& region, int decimals)
-  {
-    const std::string shape = region.shape->name();
-    if (!region.ratio)
-      return shape + " of a size above " + roundedUp(region.size_upper_bound, decimals);
-    return shape + " with a radius of " + exact(region.ratio->lower) + " to " + exact(region.ratio->upper) +
-           " times its height and a volume above " +
-           roundedUp(region.volume_upper_bound, decimalsFor(region.volume, region.volume_upper_bound)) + " m^3";
   }
 
   MachineOptions machine_;

@@ -3,6 +3,7 @@
 #include "comparison.h"
 #include "output.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/singularity_sentence.h"
 #include "progress.h"
 #include "region_option.h"
 
@@ -79,26 +80,11 @@ public:
       json["serial"].push_back(toJson(leg));
     json["parallel"] = toJson(found.parallel);
     json["seconds"] = found.seconds;
-    json["message"] = message(found, query.budget);
+    json["message"] = describe(found, machine, query.budget);
     return { json, print(found, json["message"]) };
   }
 
 private:
-  /// What is proved, and what ended the search for what is not.
-  static std::string message(const Singularities& found, const Budget& budget)
-  {
-    for (const SingularityAnswer& answer : { found.serial[0], found.serial[1], found.serial[2], found.parallel })
-    {
-      if (answer.status != SingularityAnswer::Status::UNDECIDED)
-        continue;
-      const std::string ended_by = budget.endedBy(found.seconds, answer.boxes, answer.out_of_memory);
-      return "Undecided where " +
-             (ended_by.empty() ? "doubles cannot divide boxes further" : ended_by + " ended the search") +
-             "; the rest is proved.";
-    }
-    return "Proved by interval analysis: none, or one within a box around the point that is told.";
-  }
-
   std::string print(const Singularities& found, const std::string& message) const
   {
     const Machine& machine = machine_.machine();

@@ -47,14 +47,6 @@ void throwIfAny(const Words& problems)
 }
 }  // namespace
 
-std::string joined(const Words& words, const std::string& separator)
-{
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : separator) + words[i];
-  return text;
-}
-
 Words wordsOf(const std::string& line)
 {
   constexpr const char* BLANKS = " \t\r\v\f\n";

@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/interval/box.h"
 #include "pkm_workspace/region/path.h"
+#include "pkm_workspace/text.h"
 
 namespace pkm_workspace
 {
@@ -15,7 +16,6 @@ namespace cli
 {
 using Words = std::vector<std::string>;
 
-std::string joined(const Words& words, const std::string& separator);
 /// What stands between blanks, up to a #.
 Words wordsOf(const std::string& line);
 /// The lines of a text.

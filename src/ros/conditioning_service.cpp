@@ -69,7 +69,9 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   throwProblems(problems);
   const StopFlag stop = context_.worker.makeStopFlag();
   query.budget.stop = stop.get();
-  ROS_INFO_NAMED("server", "computing: global conditioning index");
+  const std::string asked =
+      "global conditioning index of " + (of_region ? "a region" : "all points that are " + describe(criterion));
+  ROS_INFO_STREAM_NAMED("server", "computing: " << asked);
   GlobalConditioning found;
   if (of_region)
   {
@@ -88,6 +90,6 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   response.seconds = found.seconds;
   response.message = sentence(found, query.budget);
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
-  context_.health.noteComputation({ "conditioning", response.message, found.seconds, !found.complete });
+  context_.health.noteComputation({ asked, response.message, found.seconds, !found.complete });
 }
 }  // namespace pkm_workspace

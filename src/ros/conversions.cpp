@@ -6,6 +6,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/beyond_limits.h"
+#include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
 namespace pkm_workspace
@@ -193,6 +194,9 @@ std::string describe(const RegionQuery& query)
   text << "largest " << query.shape->name();
   if (query.ratio)
     text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height";
+  if (query.search_box)
+    text << ", its center from " << query.search_box->lower.format(POINT_TEXT) << " to "
+         << query.search_box->upper.format(POINT_TEXT) << " m";
   text << ", " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
        << query.budget.time_limit << " s";
   return text.str();
@@ -201,16 +205,20 @@ std::string describe(const RegionQuery& query)
 std::string summary(const Answer& answer)
 {
   const LargestRegion& region = answer.region;
-  const Shape& shape = *region.shape;
   TextStream text;
-  text << shape.name() << " at " << region.center.format(POINT_TEXT) << " m of frame '" << answer.question.in.frame
-       << "', ";
-  if (region.ratio)
-    text << "height " << region.size << " m, volume [m^3] proven: " << region.volume << ", no larger than "
-         << region.volume_upper_bound;
-  else
-    text << shape.sizeMeaning() << " proven: " << region.size << ", no larger than " << region.size_upper_bound;
-  text << "; " << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
+  if (region.size > 0.0)
+  {
+    text << region.shape->name() << " at " << region.center.format(POINT_TEXT) << " m of frame '"
+         << answer.question.in.frame << "', " << region.shape->sizeMeaning() << ' ' << region.size << ", dimensions";
+    for (const double length : region.shape->dimensions(region.size))
+      text << ' ' << length;
+    text << " m";
+    if (region.ratio)
+      text << ", volume " << region.volume << " m^3";
+    text << ". ";
+  }
+  text << describe(region, *answer.question.in.machine, answer.question.query) << ' '
+       << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

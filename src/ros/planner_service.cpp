@@ -3,7 +3,6 @@
 
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
-#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -24,17 +23,6 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue)
   return node;
 }
 
-std::string sentence(const ContainmentResult& result, const PointEvaluator& evaluator, const Budget& budget)
-{
-  if (result.verdict == Containment::INSIDE)
-    return "proved: every point of the region satisfies the criterion";
-  if (result.verdict == Containment::UNDECIDED)
-    return "undecided: " + whyUndecided(result, budget);
-  if (result.bad_within > 0.0)
-    return "proved: within rounding of the bad point two struts are one vector, det A is 0: a parallel singularity";
-  return "proved: the bad point violates the criterion; " +
-         describe(evaluator(*result.bad_point).binding(), evaluator.machine());
-}
 bool asksForLimits(const PointEvaluator& evaluator)
 {
   return evaluator.test().model().criterion().joint_limits;
@@ -113,9 +101,7 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   response.boxes = result.boxes;
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
-  response.message = sentence(result, *evaluator, budget);
-  if (result.verdict == Containment::INSIDE && !asksForLimits(*evaluator))
-    addRemark(*evaluator, reachOver(evaluator->machine(), *solid.shape, center, solid.size), response);
+  response.message = describe(result, *evaluator, *solid.shape, center, solid.size, budget);
 }
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)

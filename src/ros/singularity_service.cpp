@@ -10,6 +10,7 @@
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/singularity_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
@@ -92,40 +93,13 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   return scene.array();
 }
 
-std::array<SingularityFinding, 4> findingsOf(const FindSingularities::Response& found)
-{
-  return { found.serial[0], found.serial[1], found.serial[2], found.parallel };
-}
-
 /// Whether a question is left open.
-bool isStopped(const FindSingularities::Response& found)
+bool isStopped(const Singularities& found)
 {
-  const auto findings = findingsOf(found);
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const SingularityFinding& finding) { return finding.status == SingularityFinding::UNDECIDED; });
-}
-
-/// "; heading: the kinds of singularities with that status"; nothing where there are none.
-std::string listOf(std::uint8_t status, const std::string& heading, const FindSingularities::Response& found,
-                   const Machine& machine)
-{
-  std::string list;
-  for (int i = 0; i < 3; ++i)
-    if (found.serial[static_cast<std::size_t>(i)].status == status)
-      list += (list.empty() ? "serial of " : ", ") + machine.leg(i).joint;
-  if (found.parallel.status == status)
-    list += list.empty() ? "parallel" : " and parallel";
-  return list.empty() ? "" : "; " + heading + ": " + list;
-}
-
-std::string sentence(const FindSingularities::Response& found, const Machine& machine)
-{
-  const std::string exist = listOf(SingularityFinding::PROVED, "proved to exist", found, machine);
-  const std::string open = listOf(SingularityFinding::UNDECIDED, "undecided", found, machine);
-  if (exist.empty() && open.empty())
-    return "proved: no point that counts is singular";
-  const std::string none = listOf(SingularityFinding::NONE, "proved not to exist", found, machine);
-  return "singularities" + (exist + none + open).substr(1);
+  const auto is_open = [](const SingularityAnswer& answer) {
+    return answer.status == SingularityAnswer::Status::UNDECIDED;
+  };
+  return is_open(found.parallel) || std::any_of(found.serial.begin(), found.serial.end(), is_open);
 }
 }  // namespace
 
@@ -175,23 +149,28 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
   Question question = read(request);
   const StopFlag stop = context_.worker.makeStopFlag();
   question.query.budget.stop = stop.get();
-  ROS_INFO_NAMED("server", "computing: singularities");
-  const Singularities found = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
-    return findSingularities(*question.in.machine, question.query);
-  });
   Criterion criterion;
   criterion.set = Criterion::Set::REACHABLE;
   criterion.aspect = question.query.aspect;
   criterion.joint_limits = question.query.joint_limits;
+  const std::string asked = std::string("singularities of ") +
+                            (request.over == Request::REGION         ? "a region, "
+                             : request.over == Request::JOINT_RANGES ? "all points within joint ranges, "
+                                                                     : "all points that are ") +
+                            describe(criterion);
+  ROS_INFO_STREAM_NAMED("server", "computing: " << asked);
+  const Singularities found = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
+    return findSingularities(*question.in.machine, question.query);
+  });
   response.header = headerOf(question.in, ros::Time::now());
   response.hypotheses = hypothesesOf(question.in, criterion, question.query.accuracy);
   for (const SingularityAnswer& answer : found.serial)
     response.serial.push_back(findingOf(answer));
   response.parallel = findingOf(found.parallel);
   response.seconds = found.seconds;
-  response.message = sentence(response, *question.in.machine);
-  ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
-  context_.health.noteComputation({ "singularities", response.message, found.seconds, isStopped(response) });
+  response.message = describe(found, *question.in.machine, question.query.budget);
+  ROS_INFO_STREAM_NAMED("server", response.message << " " << found.seconds << " s");
+  context_.health.noteComputation({ asked, response.message, found.seconds, isStopped(found) });
   markers_.publish(inRoot(markersOf(response, *question.in.machine), question.in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

@@ -13,9 +13,26 @@ BRACKET = rf"{N}(?: to {N})?"
 MORE = 1 + 1e-6  # a region that is larger than a bound by this factor is above it
 
 
+class Case(SimpleNamespace):
+    """What is told, and what it is about: machine, rng, text, words of the command; for the node in place of words what
+    was asked for, and in place of rows of the text the fields of the answer."""
+
+    words = ()
+    definition = None  # a text with the criterion
+    region = size = bad_point = None
+    segments = None  # of a path: name, start, end
+    findings = None  # on singularities: serial or parallel, joint or "", status, point or None, bounds of the least
+    figures = center = lowest = None  # of a comparison: label to bounds; of its region, and its least joint values
+
+
 def criterion_of(text):
-    """As the text defines it."""
+    """As the text defines it, in the words of the command or in those of the node."""
     text = " ".join(text.split())
+    match = re.search(rf"(?:dextrous with psi in \[{N}, {N}\]|reachable), (own|other|both) aspects?, "
+                      "joint limits (on|off)", text)
+    if match:
+        return SimpleNamespace(aspect=match[3], limits=match[4] == "on",
+                               psi=match[1] and (float(match[1]), float(match[2])))
     match = re.search(r"(Dextrous|Reachable): .*?, in (its own|its other|either) aspect(.*)", text)
     hold(match, "no definition in", text)
     factors = re.search(rf"velocity transmission factors in \[{N}, {N}\]", match[3])
@@ -49,6 +66,11 @@ def placements(case, region, count=12):
             yield [x + case.rng.gauss(0, width * reach) for x in center]
 
 
+def beyond(bound, size):
+    """Of a bound to a size that is good: samples do not tell it from one that is less than a hundredth larger."""
+    return max(bound / size, 1.01)
+
+
 def no_region(case, region, factor, centers):
     for center in centers:
         large = region.scaled(factor * MORE, center)
@@ -62,6 +84,8 @@ def all_good(case, region, count=300):
 
 
 def found_region(case, shape):
+    if case.region:
+        return case.size, case.region
     size = float(row(case.text, {"sphere": "radius [m]", "disc": "radius [m]", "cylinder": "height [m]",
                                  "box": "factor on the proportions"}.get(shape, "edge [m]")))
     return size, Region(shape, numbers(row(case.text, "dimensions")), numbers(row(case.text, "center")))
@@ -93,7 +117,7 @@ def largest(case, match):
         hold(not found or float(match["size"]) >= size, "the bound is below the size")
         if size == 0:  # less than the digits that are printed
             size, region = 1, Region(shape, without_region(case, shape)[1].dimensions, region.center)
-        return no_region(case, region, float(match["size"]) / size, centers)
+        return no_region(case, region, beyond(float(match["size"]), size), centers)
     return large_cylinder(case, match, centers)
 
 
@@ -111,19 +135,23 @@ def box_of(case):
     return Region("box", values[3:], values[:3])
 
 
-def box_inside(case, match):
-    all_good(case, box_of(case), 600)
+def region_of(case):
+    """What a sentence on a region is about: what was asked for, or the box that the text names."""
+    return case.region or box_of(case)
 
 
-def in_box(case, point):
-    box = box_of(case)
-    hold(all(abs(x - c) <= side / 2 * (1 + 1e-15) for x, c, side in zip(point, box.center, box.dimensions)),
-         point, "is not in the box")
+def inside(case, match):
+    all_good(case, region_of(case), 600)
+
+
+def bad_point_of(case):
+    point = case.bad_point or numbers(row(case.text, "bad point"))
+    hold(region_of(case).contains(point), point, "is not in the region")
+    return point
 
 
 def bad_point(case, match):
-    point = numbers(row(case.text, "bad point"))
-    in_box(case, point)
+    point = bad_point_of(case)
     hold(case.machine.verdict(point, case.criterion) == BAD, point, "is not bad")
     for text in match["reasons"].split("; "):
         reason(case, text, point)
@@ -131,8 +159,7 @@ def bad_point(case, match):
 
 def singular_point(case, match):
     """Between the bad point and another one so near, det A vanishes: it is next to nothing all around."""
-    point, within = numbers(row(case.text, "bad point")), float(match["within"])
-    in_box(case, point)
+    point, within = bad_point_of(case), float(match["within"])
     state = case.machine.state(point)
     scale = math.prod(leg.length for leg in case.machine.legs[float])
     hold(within < 1e-9 and abs(state.det) <= (1e-9 + 10 * within) * scale, "det A is", state.det, "at", point)
@@ -150,6 +177,9 @@ def shares(case, match):
 
 
 def segments(case):
+    """Each with its name: name, start, end."""
+    if case.segments:
+        return case.segments
     lines = [case.words[k + 1] for k, word in enumerate(case.words) if word == "--segment"]
     points = [numbers(line) for line in lines]
     return [(lines[k + 1], points[k], points[k + 1]) for k in range(len(points) - 1)]
@@ -167,6 +197,9 @@ def verdicts(case, segment, first, last, count=300, open_at=()):
 def path_inside(case, match):
     for segment in segments(case):
         hold(BAD not in verdicts(case, segment, 0, 1), "a point of", segment, "is bad")
+    if match["remark"]:
+        rhos = [case.machine.state(on(segment, k / 100)).rhos for segment in segments(case) for k in range(101)]
+        remark_on(case, match["remark"], [(min(rho), max(rho)) for rho in zip(*rhos)])
 
 
 def path_leaves(case, match):
@@ -175,25 +208,30 @@ def path_leaves(case, match):
     width = 2 * 10.0**-len(match["t"].partition(".")[2]) if not match["upper"] else 0.0
     open_at = numbers((match["open"] or "").replace("t = ", ""))
     for segment in segments(case):
-        last = segment[0] == match["place"]
+        last = segment[0] == (match["place"] or match["segment"])
         end = max(0, t - width) if last else 1
         if match["leaves"] == "leaves the set" and (end > 0 or not last):
             hold(BAD not in verdicts(case, segment, 0, end, open_at=open_at), "bad before t =", t, "on", segment[0])
         if last:
             break
     else:
-        raise Wrong("no segment " + match["place"])
+        raise Wrong("no such segment: " + match[0])
     points = [on(segment, min(1, max(0, x))) for x in (t - width, t, upper, upper + width)]
     hold(any(case.machine.verdict(point, case.criterion) == BAD for point in points), "no bad point near t =", t)
     reason(case, match["reason"], on(segment, upper), slack=1e-4 if not match["upper"] else 1e-2)
 
 
 def volume(case, match):
-    lower, upper = bracket(match["bracket"])
     ends = numbers(row(case.text, "box"))
+    flat = sum(a < b for a, b in zip(ends[:3], ends[3:]))
+    hold(match["measure"] == {3: "volume", 2: "area"}[flat], match["measure"])
+    measured(case, *bracket(match["bracket"]), ends)
+
+
+def measured(case, lower, upper, ends):
+    """The measure of the good points between two corners is within these bounds."""
     sides = [b - a for a, b in zip(ends[:3], ends[3:])]
     size, count = math.prod(side for side in sides if side > 0), 4000
-    hold(match["measure"] == {3: "volume", 2: "area"}[sum(side > 0 for side in sides)], match["measure"])
     good = sum(case.machine.verdict([a + case.rng.random() * side for a, side in zip(ends, sides)],
                                     case.criterion) == GOOD for _ in range(count))
     share = good / count
@@ -213,15 +251,22 @@ def region_of_words(case):
 
 
 def remark(case, match):
-    """On limits that are not asked for, with the box that is proved to be good."""
-    box_inside(case, match)
-    region, text = box_of(case), match["remark"]
-    rhos = [case.machine.state(region.point(u)).rhos for u in region.samples(case.rng, 300)]
-    for k, leg in enumerate(case.machine.legs[float]):
-        low, high = min(rho[k] for rho in rhos), max(rho[k] for rho in rhos)
+    """On limits that are not asked for, with the region that is proved to be good."""
+    inside(case, match)
+    remark_on(case, match["remark"], spans(case, region_of(case)))
+
+
+def spans(case, region):
+    """Least and largest joint value of each leg over a region."""
+    return [region.span(lambda p, k=k: case.machine.state(p).rhos[k], case.rng) for k in range(3)]
+
+
+def remark_on(case, text, reaches):
+    """@param reaches least and largest joint value of each leg"""
+    for leg, (low, high) in zip(case.machine.legs[float], reaches):
         beyond = {"lower": leg.limits[0] - low, "upper": high - leg.limits[1]}
         for end, by in beyond.items():
             told = re.search(rf"'{leg.name}' would leave its {end} limit, {N} m, by at least {N} m", text)
-            slack = 0.02 * (high - low)
+            slack = 0.02 * (high - low) + 1e-12
             hold(told or by <= slack, leg.name, "leaves its", end, "limit by", by, "and nothing is told")
             hold(not told or float(told[2]) <= by + slack, text, "but it is", by)

@@ -60,7 +60,8 @@ class Strokes(CommandTest):
                       ("--psi-max", 100), ("--psi-max", 100, "--shape", "disc")):
             with self.subTest(words=words, seed=SEED):
                 shape = () if "--shape" in words else ("--shape", "square")
-                answer = self.answer("compare", "--urdf", URANESX, *words, *shape, "--accuracy", 0.01)["machines"][0]
+                answer = self.answer("compare", "--urdf", URANESX, *words, *shape, "--accuracy", 0.01, "--time-limit",
+                                     0)["machines"][0]
                 least, stroke = strokes_of(answer)
                 figures = answer["figures"]
                 self.assertBrackets(figures["stroke"][0], stroke, figures["stroke"][1], 1e-9)

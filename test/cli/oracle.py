@@ -5,10 +5,12 @@ Numbers are those of the URDF's text, as decimals. A point is looked at in doubl
 do not tell; what is left then is undecided (0), and counted.
 """
 
+import copy
 import decimal
 import itertools
 import math
 from decimal import Decimal
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 decimal.getcontext().prec = 50
@@ -109,6 +111,14 @@ class Machine:
         self.sign = 1 if det([leg.zero for leg in legs]) > 0 else -1
         self.span = max(leg.length for leg in self.legs[float])
 
+    def limited(self, ends):
+        """The same with other limits of its joints."""
+        machine = copy.deepcopy(self)
+        for number, legs in machine.legs.items():
+            for leg, pair in zip(legs, ends):
+                leg.limits = [number(x) for x in pair]
+        return machine
+
     def state(self, p, number=float):
         return State(self.legs[number], [number(x) for x in p])
 
@@ -146,8 +156,15 @@ class Machine:
         Machine.undecided += 1
         return ZERO
 
-    def badness(self, p, criterion):
-        return -min(self.conditions(p, criterion))
+    def margins(self, p, criterion):
+        """How far each condition is from being violated, in floating point, by its name."""
+        free = SimpleNamespace(psi=None, limits=criterion.limits, aspect=criterion.aspect)
+        values = dict(enumerate(self.conditions(p, free)))
+        state = self.state(p)
+        if criterion.psi and state.in_reach:
+            least, _, largest = state.psi()
+            values.update(least=least / criterion.psi[0] - 1, largest=1 - largest / criterion.psi[1])
+        return values
 
 
 class Region:
@@ -170,28 +187,72 @@ class Region:
             offset = [side * (x - 0.5) for side, x in zip(d, u)]
         return plus(self.center, offset)
 
+    def contains(self, point):
+        """But for rounding."""
+        x, y, z = plus(point, self.center, -1)
+        d = [length * (1 + 1e-14) for length in self.dimensions]
+        if self.shape in ("disc", "cylinder"):
+            return math.hypot(x, y) <= d[1] and abs(z) <= d[0] / 2
+        if self.shape == "sphere":
+            return math.hypot(x, y, z) <= d[0]
+        return all(abs(offset) <= side / 2 for offset, side in zip((x, y, z), d))
+
     def scaled(self, factor, center):
         return Region(self.shape, [factor * x for x in self.dimensions], center)
 
     def samples(self, rng, count):
         """Corners and middles first, then points of which many lie on the border."""
         yield from itertools.product((0.0, 1.0, 0.5), repeat=3)
+        is_round = self.shape in ("sphere", "disc", "cylinder")
         for _ in range(count):
-            yield tuple(rng.choice((0.0, 1.0, rng.random(), rng.random())) for _ in range(3))
+            u = tuple(rng.choice((0.0, 1.0, rng.random(), rng.random())) for _ in range(3))
+            height = rng.random() if self.shape == "sphere" else u[2]  # not at its poles again and again
+            yield (rng.random(), max(u[1], rng.choice((0, 1))), height) if is_round else u
+
+    def nearest(self, point):
+        """The point of it that is next to one, or nearly so."""
+        offset, d = plus(point, self.center, -1), self.dimensions
+        if self.shape == "sphere":
+            far = math.hypot(*offset)
+            return plus(self.center, offset, min(1.0, d[0] / far if far else 1.0))
+        if self.shape in ("disc", "cylinder"):
+            far = math.hypot(*offset[:2])
+            share = min(1.0, d[1] / far if far else 1.0)
+            offset = [share * offset[0], share * offset[1], max(-d[0] / 2, min(d[0] / 2, offset[2]))]
+        else:
+            offset = [max(-side / 2, min(side / 2, x)) for x, side in zip(offset, d)]
+        return plus(self.center, offset)
+
+    def climb(self, value, point, rng):
+        """From a point of it to one where a value is larger, in ever smaller steps. @return the value, and the point"""
+        best = value(point)
+        for step in (0.1, 0.03, 0.01, 0.003, 0.001):
+            for _ in range(40):
+                there = self.nearest([x + rng.gauss(0, step * max(self.dimensions)) for x in point])
+                best, point = max((best, point), (value(there), there))
+        return best, point
+
+    def span(self, value, rng):
+        """The least and the largest value that samples, and a climb from the best of them, find in it."""
+        points = [self.point(u) for u in self.samples(rng, 120)]
+        ends = []
+        for sign in (-1, 1):
+            signed = lambda p, sign=sign: sign * value(p)
+            ends.append(sign * self.climb(signed, max(points, key=signed), rng)[0])
+        return ends
 
     def bad(self, machine, criterion, rng, count=150):
-        """A bad point of it, or None where neither samples nor a climb from the worst of them find any."""
-        places = []
+        """A bad point of it, or None where neither samples, nor climbs from the worst for each condition, find any."""
+        worst = {}
         for u in self.samples(rng, count):
-            if machine.verdict(self.point(u), criterion) == BAD:
-                return self.point(u)
-            places.append((machine.badness(self.point(u), criterion), u))
-        for worst, u in sorted(places, reverse=True)[:3]:
-            for step in (0.1, 0.03, 0.01, 0.003, 0.001):
-                for _ in range(40):
-                    v = tuple(min(1.0, max(0.0, x + rng.gauss(0, step))) for x in u)
-                    badness = machine.badness(self.point(v), criterion)
-                    worst, u = max((worst, u), (badness, v))
-            if machine.verdict(self.point(u), criterion) == BAD:
-                return self.point(u)
+            point = self.point(u)
+            if machine.verdict(point, criterion) == BAD:
+                return point
+            for name, margin in machine.margins(point, criterion).items():
+                worst[name] = min((margin, point), worst.get(name, (math.inf, point)))
+        for name, (_, start) in sorted(worst.items(), key=lambda item: item[1][0])[:4]:
+            violation = lambda p, name=name: -machine.margins(p, criterion).get(name, math.inf)
+            point = self.climb(violation, start, rng)[1]
+            if machine.verdict(point, criterion) == BAD:
+                return point
         return None

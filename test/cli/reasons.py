@@ -41,13 +41,15 @@ def strut(machine, name, text, state, slack):
     across = math.sqrt(max(0, length**2 - state.radicands[at]))
     match = re.fullmatch(rf"is {N} m long(.*)", text)
     hold(match and abs(float(match[1]) - length) <= 1e-8 * length, name, text, "but it is", length)
-    far = re.fullmatch(rf" and would have to reach {N} m across its rail", match[2])
+    far = re.fullmatch(rf" and (would have to reach|reaches) {N} m across its rail", match[2])
     near = re.fullmatch(rf", too short to reach across its rail(?:, by at most {N} m)?", match[2])
     just = re.fullmatch(rf" and reaches as far across its rail(?: or less)?(?:, to within {N} m)?", match[2])
     hold(far or near or just, "no pattern knows the reason:", text)
-    hold(just or across >= length - slack, text, "but it reaches", across, "of", length)
+    is_kept = just or far and far[1] == "reaches"
+    hold(is_kept or across >= length - slack, text, "but it reaches", across, "of", length)
     if far:
-        hold(abs(float(far[1]) - across) <= 1e-5 * across + slack, text, "but", across)
+        hold(abs(float(far[2]) - across) <= 1e-5 * across + slack, text, "but", across)
+        hold((far[1] == "reaches") == (float(far[2]) < length), text, "of", length)
     if near or just:
         by = (near or just)[1]
         hold(by is None or abs(across - length) <= float(by) + slack, text, "but", across - length)

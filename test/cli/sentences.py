@@ -14,7 +14,8 @@ NO_REGION = (r"no (?P<shape>\w+) (?:of a size above (?P<size>[\d.e+-]+)|with a r
              rf"has all its points {QUALITY}\.(?: The rails are parallel: the same holds all along them\.)?")
 CENTERS = (r"Of the centers from (?P<lower>\(.*?\)) m to (?P<upper>\(.*?\)) m, (?P<share>some|all|none) are proved to,?"
            r"(?: and some not to,)? carry a box with sides (?P<sides>\(.*?\)) m\.")
-LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on line '(?P<place>.*?)' \(line\), "
+LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on "
+          r"(?:line '(?P<place>.*?)' \(line\)|(?P<segment>segment \d+)), "
           r"(?:near|between) t = (?P<t>[\d.e-]+)(?: and t = (?P<upper>[\d.e-]+))? of its way"
           r"(?:, and is outside somewhere between these)?: (?P<reason>.*?)\."
           r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
@@ -31,22 +32,22 @@ CLAIMS = {
     "status": (r"status +((?:proven|none) \((?:proved to the accuracy asked for|no region (?:as large as the accuracy|"
                r"of any size) exists where the center may lie, proved(?:: the joint limits hold .* "
                r"fixed, lower = upper)?)\))", table_claims.status),
-    "box inside": (rf"Proved: every point of the box is {QUALITY}\.", claims.box_inside),
-    "remark": (rf"Proved: every point of the box is {QUALITY}\. (?P<remark>Joint limits are off: .*)", claims.remark),
-    "bad point": (rf"Proved: the bad point lies in the box and is not {QUALITY}: (?P<reasons>.*)\.", claims.bad_point),
-    "singular point": (r"Proved: no further than (?P<within>\S+) m from the bad point the box has a point where two "
+    "inside": (rf"Proved: every point of the \w+ is {QUALITY}\.", claims.inside),
+    "remark": (rf"Proved: every point of the \w+ is {QUALITY}\. (?P<remark>Joint limits are off: .*)", claims.remark),
+    "bad point": (rf"Proved: the bad point lies in the \w+ and is not {QUALITY}: (?P<reasons>.*)\.", claims.bad_point),
+    "singular point": (r"Proved: no further than (?P<within>\S+) m from the bad point the \w+ has a point where two "
                        r"struts are one vector, so that det A is 0: a parallel singularity, which belongs to no "
                        r"aspect\.", claims.singular_point),
     "centers": (CENTERS, claims.shares),
-    "path inside": (r"Proved: every point of the path is in the set\.(?: Joint limits are off: .*)?",
+    "path inside": (r"Proved: every point of the path is in the set\.(?: (?P<remark>Joint limits are off: .*))?",
                     claims.path_inside),
     "path leaves": (LEAVES, claims.path_leaves),
     "volume": (rf"Proved: the points of the box that are {QUALITY} have an? (?P<measure>\w+) of "
                rf"(?P<bracket>{BRACKET}) m\^[23]\.(?: The rails are parallel: the box is flat, across the axis they "
                r"run along, and in every plane parallel to it the area is the same\.)?(?: Ended early by .*)?",
                claims.volume),
-    "singularities": (rf"(?:Proved by interval analysis: none, or one within a box around the point that is told\.|"
-                      rf"Undecided where .*; the rest is proved\.) {N}.*", table_claims.singularities),
+    "singularities": (r"(?:Undecided: (?P<open>.*?), where .*?\. )?Proved: (?:no point that counts is singular|"
+                      rf"there are (?:(?P<there>.*), and )?no others)\.(?: {N}.*)?", table_claims.singularities),
     "study": (STUDY, table_claims.study),
     "comparison": (r"Largest (?P<shape>\w+) of machine '(?P<name>.*)': proved to the accuracy asked for\.",
                    table_claims.comparison),
@@ -62,7 +63,8 @@ def sentences(text):
     """Paragraphs and rows of tables with the word 'proved', each in one line."""
     blocks = []
     for line in text.splitlines():
-        if not blocks or not line or line.startswith(STARTS):
+        goes_on = blocks and blocks[-1].startswith(" Undecided:") and line.startswith("Proved")
+        if not blocks or not line or line.startswith(STARTS) and not goes_on:
             blocks.append("")
         blocks[-1] += " " + line
     return [" ".join(block.split()) for block in blocks if re.search("proved", block, re.I)]
@@ -70,7 +72,7 @@ def sentences(text):
 
 def check(case):
     """Holds all sentences of the text of a case against the oracle. @return the names of the claims"""
-    case.criterion = claims.criterion_of(case.text)
+    case.criterion = claims.criterion_of(case.definition or case.text)
     names = []
     for sentence in sentences(case.text):
         for name, (pattern, holds) in CLAIMS.items():

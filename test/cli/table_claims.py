@@ -61,21 +61,31 @@ def is_singular_near(case, point, leg):
     hold(values and (min(values) < 0 < max(values) or min(map(abs, values)) < 1e-4), "not singular near", point)
 
 
-def singularities(case, match):
-    region = region_of_words(case)
-    points = [region.point(u) for u in region.samples(case.rng, 800)] if region else list(everywhere(case, 3000))
+def findings(case):
+    """Rows of the table: serial or parallel, joint, what is proved, where, and bounds of the least measure."""
     rows = re.findall(r"^  (serial|parallel)(?:, (\S+))? +(.*?)  \|[^|]+\| \[m(?:\^3)?\] (.*)$", case.text, re.M)
-    hold(len(rows) == 4, "rows of singularities:", rows)
     for kind, name, verdict, least in rows:
-        leg = None if kind == "parallel" else [leg.name for leg in case.machine.legs[float]].index(name)
-        if verdict.startswith("at"):
-            is_singular_near(case, [float(x) for x in re.findall(N, verdict)], leg)
+        place = verdict.startswith("at") and [float(x) for x in re.findall(N, verdict)]
+        yield kind, name, "there" if place else verdict.strip(), place, bracket(least)
+
+
+def singularities(case, match):
+    region = case.region or region_of_words(case)
+    points = [region.point(u) for u in region.samples(case.rng, 800)] if region else list(everywhere(case, 3000))
+    rows = list(case.findings or findings(case))
+    hold(len(rows) == 4, "rows of singularities:", rows)
+    for kind, name, status, place, (lower, upper) in rows:
+        words = f"serial .*'{name}'" if name else "parallel singularities"
+        for where, text in (("there", match["there"]), ("undecided", match["open"])):
+            hold(bool(re.search(words, text or "")) == (status == where), words, match[0])
+        leg = [leg.name for leg in case.machine.legs[float]].index(name) if name else None
+        if status == "there":
+            is_singular_near(case, place, leg)
         else:
-            lower, upper = bracket(least)
             values = list(counted(case, points, leg))
-            hold(verdict.strip() in ("none", "undecided"), verdict)
+            hold(status in ("none", "undecided"), status)
             hold(not values or min(values) >= lower * (1 - 1e-9), name, "has", values and min(values), "below", lower)
-            hold(verdict.strip() != "none" or not region or min(values) <= upper * 1.02, "nothing below", upper, values)
+            hold(status != "none" or not region or min(values) <= upper * 1.02, "nothing below", upper, values)
 
 
 def study(case, match):
@@ -98,6 +108,8 @@ def study(case, match):
 
 
 def compared(case, what):
+    if case.figures:
+        return case.figures[what]
     match = re.search(rf"^  {re.escape(what)} +{re.escape(case.name)} +{N}(?: to {N})?  ", case.text, re.M)
     hold(match, "no row", what, case.name, case.text)
     return float(match[1]), float(match[2] or match[1])
@@ -106,30 +118,34 @@ def compared(case, what):
 def comparison(case, match):
     case.name = match["name"]
     case.machine, largest = case.machines[case.name], case.largest[case.name]
-    shape = match["shape"]
+    case.center = [float(x) for x in re.findall(N, row(largest, "center"))]
+    case.lowest = [float(re.search(rf"^  {leg.name} +{N}", largest, re.M)[1]) for leg in case.machine.legs[float]]
+    compared_machine(case, match["shape"], case.name)
+
+
+def compared_machine(case, shape, name):
     low, high = compared(case, shape + ": edge [m]")
-    center = [float(x) for x in re.findall(N, row(largest, "center"))]
+    center = case.center
     region = Region(shape, [low, low, 0 if shape == "square" else low], center)
-    hold(not region.bad(case.machine, case.criterion, case.rng), "the region of", case.name, "is not good")
+    hold(not region.bad(case.machine, case.criterion, case.rng), "the region of", name, "is not good")
     no_region(case, region, high / low, list(placements(case, region)))
     points = [region.point(u) for u in region.samples(case.rng, 300)]
     for what, legs in (("least |eta| [m] in the region", (0, 1, 2)), ("least |det A| [m^3] in the region", (None,))):
         least = min(min(counted(case, points, leg)) for leg in legs)
         lower, upper = compared(case, what)
         hold(lower <= least <= upper * 1.02, what, lower, upper, "but samples say", least)
-    volume_for_strokes(case, largest)
+    volume_for_strokes(case)
 
 
-def volume_for_strokes(case, largest):
+def volume_for_strokes(case):
     stroke = compared(case, "largest stroke, Delta rho [m]")[1]
-    lowest = [float(re.search(rf"^  {leg.name} +{N}", largest, re.M)[1]) for leg in case.machine.legs[float]]
     lower, upper = compared(case, "volume for these strokes [m^3]")
     own = SimpleNamespace(psi=None, limits=False, aspect="own")
     count, good = 6000, 0
     for point in everywhere(case, count):
         if case.machine.verdict(point, own) == GOOD:
             rhos = case.machine.state(point).rhos
-            good += all(low <= rho <= low + stroke for low, rho in zip(lowest, rhos))
+            good += all(low <= rho <= low + stroke for low, rho in zip(case.lowest, rhos))
     size, share = (2 * case.machine.span)**3, good / count
     error = 4 * size * math.sqrt(max(share * (1 - share), 1 / count) / count)
     hold(lower - error <= share * size <= upper + error, "volume", lower, upper, "but samples say", share * size, error)

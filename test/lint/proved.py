@@ -1,40 +1,47 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds that every sentence that begins with 'Proved' has a test: proved.py ROOT
+"""Holds that every sentence that says 'proved' has a test: proved.py ROOT
 
-Each string of src/ and include/ that says 'Proved' or 'proved:' is listed with what covers it: a claim of
-test/cli/sentences.py, which the oracle checks, a test of the node ('file: test'), or HELP where a text tells what the
-program does. A string that is not listed fails, and so does a test that is not there.
+Each string of src/ and include/ that says so is listed with the claims that cover it, which the oracle checks: of
+test/cli/sentences.py for what the command tells, of test/ros/node_claims.py for what the node tells, of both for what
+both tell. HELP stands where a text tells what the program does. A string that is not listed fails, and so does a claim
+that is not there. Of the command's strings those are looked at that begin a sentence.
 """
 
 import pathlib
 import re
 import sys
 
-HELP = "help"
+COMMAND, NODE, HELP = "test/cli/sentences.py", "test/ros/node_claims.py", "help"
 COVERED = {
-    "Proved: every point of the box is ": "box inside",
-    "Proved: no further than ": "singular point",
-    "Proved: the bad point lies in the box and is not ": "bad point",
-    "Proved: ": "largest",
-    "Proved: the points of the box that are ": "volume",
-    "Proved by interval analysis: none, or one within a box around the point that is told.": "singularities",
-    "Proved: no machine of the range has a ": "study",
-    "Proved: the machine with ": "study",
-    "Proved: every point of the path is in the set.": "path inside",
-    "Proved: the path ": "path leaves",
-    "Neither is proved: ": "nothing",
-    "box inside: proved for every point": "ros/box_marker_test.cpp: hasABoxWhoseVerdictColorsIt",
-    "proved: every point of the region satisfies the criterion": "ros/planner_test.cpp: hasNoTolerance",
-    "proved: the bad point violates the criterion; ": "ros/planner_test.cpp: hasNoTolerance",
-    # told of what checkContainment answers, which pkm check is told too
-    "proved: within rounding of the bad point two struts are one vector, det A is 0: a parallel singularity":
-        "singular point",
-    "proved: no point that counts is singular": "ros/singularities_test.cpp: provesThatTheLargestCubeHasNone",
+    "Proved: ": {COMMAND: ("inside", "bad point", "singular point", "largest", "remark"),
+                 NODE: ("inside", "bad point", "singular point", "region told", "remark")},
+    "Proved: every point of the ": {COMMAND: ("inside", ), NODE: ("inside", )},
+    "Proved: every point of the path is in the set.": {COMMAND: ("path inside", ), NODE: ("path inside", )},
+    "Proved: the path ": {COMMAND: ("path leaves", ), NODE: ("path leaves", )},
+    "Neither is proved: ": {COMMAND: ("nothing", ), NODE: ("nothing", )},
+    ". Nothing that was looked at is proved to be outside.": {COMMAND: ("nothing", ), NODE: ("nothing", )},
+    "Proved: no point that counts is singular.": {COMMAND: ("singularities", ), NODE: ("singularities", )},
+    "Proved: there are ": {COMMAND: ("singularities", ), NODE: ("singularities", )},
+    "proved to the accuracy asked for": {COMMAND: ("status", "comparison"), NODE: ("region", )},
+    "no region of any size exists where the center may lie, proved": {COMMAND: ("status", ), NODE: ("no region", )},
+    "no cylinder of the volume that the accuracy asks for exists, proved": {COMMAND: ("status", ),
+                                                                            NODE: ("no region", )},
+    "no region as large as the accuracy exists where the center may lie, proved": {COMMAND: ("status", ),
+                                                                                   NODE: ("no region", )},
+    "whether all rails stay within their limits is not proved": {COMMAND: ("nothing", ), NODE: ("remark", )},
+    "the set has no proved volume.": {NODE: ("mean", )},
+    "Proved: the points of the box that are ": {COMMAND: ("volume", )},
+    "Proved: no machine of the range has a ": {COMMAND: ("study", )},
+    "Proved: the machine with ": {COMMAND: ("study", )},
+    "box inside: proved for every point": {NODE: ("box inside", )},
+    "no box of these proportions is proved at this center": HELP,
+    "nothing can be proved on this computer: ": HELP,
     "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, ": HELP,
     "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all ": HELP,
 }
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
+SAYS, BEGINS = r"\b[Pp]rove[dn]?\b", r"Proved|proved:|Neither"
 
 
 def claims_in(root):
@@ -42,23 +49,34 @@ def claims_in(root):
         if path.suffix in (".cpp", ".h"):
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 for text in [] if line.lstrip().startswith("//") else STRING.findall(line):
-                    if re.search(r"Proved|proved(:| for)", text):
+                    if re.search(BEGINS if "cli" in path.parts else SAYS, text):
                         yield f"{path.relative_to(root)}:{number}", text
 
 
-def is_there(root, cover, claims):
-    file, _, test = cover.partition(": ")
-    return cover == HELP or cover in claims or bool(test) and test in (root / "test" / file).read_text(encoding="utf-8")
+def teller(place):
+    """The table that has to cover it: the node tells all that is not the command's own."""
+    return COMMAND if place.startswith("src/cli/") else NODE
+
+
+def missing(cover, claims):
+    """Claims that are named and not there."""
+    if cover != HELP:
+        yield from ((table, name) for table, names in cover.items() for name in names if name not in claims[table])
 
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    sys.path.insert(0, str(root / "test" / "cli"))
-    from sentences import CLAIMS
+    sys.path[:0] = [str(root / "test" / folder) for folder in ("cli", "ros")]
+    import node_claims
+    import sentences
+    claims = {COMMAND: sentences.CLAIMS, NODE: node_claims.CLAIMS}
     found = list(claims_in(root))
-    problems = [f"{place}: no test is named for the sentence '{text}'" for place, text in found if text not in COVERED]
-    problems += [f"the test of '{text}' is not there: {cover}" for text, cover in COVERED.items()
-                 if not is_there(root, cover, CLAIMS)]
+    problems = [f"{place}: no test is named for the sentence '{text}'" for place, text in found
+                if COVERED.get(text) != HELP and teller(place) not in COVERED.get(text, ())]
+    problems += [f"{text}: {cover} is not there" for text in COVERED for cover in missing(COVERED[text], claims)]
+    problems += [f"no source says: '{text}'" for text in set(COVERED) - {text for _, text in found}]
+    problems += [f"{NODE}: nothing that the node says is a '{name}'" for name in set(node_claims.CLAIMS) -
+                 {name for names in node_claims.SOURCES.values() for name in names}]
     print("\n".join(problems) or f"{len(found)} sentences have their tests")
     return 1 if problems or not found else 0
 

@@ -6,7 +6,6 @@
 #include <pkm_workspace/FindSingularities.h>
 
 #include <map>
-#include <regex>
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
@@ -67,8 +66,8 @@ TEST(Diagnostics, tellOfTheGeometryAndTheLastComputation)
     return valuesOf(status)["question"].find("accuracy 0.001 m") != std::string::npos;
   });
   EXPECT_NE(std::string::npos, valuesOf(computation)["question"].find("largest cube, dextrous with psi in [0.5, 2]"));
-  EXPECT_NE(std::string::npos, valuesOf(computation)["answer"].find("m of frame 'base_link', edge [m] proven: "));
-  EXPECT_NE(std::string::npos, valuesOf(computation)["answer"].find("no larger than"));
+  EXPECT_NE(std::string::npos, valuesOf(computation)["answer"].find("m of frame 'base_link', edge [m] "));
+  EXPECT_NE(std::string::npos, valuesOf(computation)["answer"].find("Proved: every point of the "));
   EXPECT_GE(std::stod(valuesOf(computation)["seconds"]), 0.0);
 }
 
@@ -81,8 +80,8 @@ TEST(Diagnostics, tellTheBracketOfAFreeRatioAsOneOfVolumes)
   query.ratio_max = 0.75;
   compute(query);
   const auto values = valuesOf(computation("radius 0.55 to 0.75 times its height"));
-  EXPECT_TRUE(std::regex_search(values.at("answer"), std::regex(R"(volume \[m\^3\] proven: [0-9.]+, no larger than)")))
-      << values.at("answer");
+  EXPECT_TRUE(has(values.at("answer"), " times its height and a volume above ")) << values.at("answer");
+  EXPECT_FALSE(has(values.at("answer"), "of a size above")) << values.at("answer");
 }
 
 TEST(Diagnostics, countRefusals)

@@ -4,12 +4,11 @@
 
 import contextlib
 import threading
-import time
 import unittest
 
 import rospy
 import rostest
-from node_process import NAME, PATIENCE, NodeProcess, urdf
+from node_process import NAME, PATIENCE, NodeProcess, urdf, wait_until
 from pkm_workspace.msg import CriterionRequest, ErrorCode, Region, RegionRequest
 from pkm_workspace.srv import ComputeConditioning, ComputeLargestRegion, GetRegion, SetCriterion
 
@@ -20,13 +19,6 @@ ENDLESS = {"shape": "sphere", "joint_limits": True, "accuracy": 1e-14}
 def service(name, kind):
     rospy.wait_for_service(f"{NAME}/{name}", PATIENCE)
     return rospy.ServiceProxy(f"{NAME}/{name}", kind)
-
-
-def wait_until(condition):
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            raise AssertionError("waited in vain")
 
 
 def ask_for_the_endless():

@@ -7,6 +7,7 @@ import queue
 import signal
 import subprocess
 import threading
+import time
 
 import roslib.packages
 import rospkg
@@ -18,6 +19,14 @@ PATIENCE = 60.0  # [s] until a test fails; nothing is expected to take anywhere 
 
 def urdf(machine):
     return (pathlib.Path(rospkg.RosPack().get_path("pkm_workspace")) / "urdf" / f"{machine}.urdf").read_text()
+
+
+def wait_until(condition):
+    """Looks again and again until it holds."""
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError("waited in vain")
 
 
 class NodeProcess:

@@ -63,8 +63,7 @@ TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
   const auto found = find(request);
   ASSERT_EQ(ErrorCode::SUCCESS, found.error_code) << found.message;
   ASSERT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
-  EXPECT_TRUE(std::regex_search(found.message, std::regex("^singularities proved to exist: .*parallel")))
-      << found.message;
+  EXPECT_TRUE(std::regex_search(found.message, std::regex("^Proved: there are .*parallel"))) << found.message;
   EXPECT_EQ(0.0, found.parallel.least.lower);
   EXPECT_LE(found.parallel.min_corner.x, found.parallel.max_corner.x);
   const auto markers = receive<visualization_msgs::MarkerArray>(NODE + "/singularity_markers")->markers;
@@ -85,7 +84,10 @@ TEST(FindSingularities, countsPointsWhereDetAIsZeroInEachAspect)
     request.aspect = aspect;
     const auto found = find(request);
     EXPECT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
-    EXPECT_EQ("singularities proved to exist: serial of rail_x, rail_y, rail_z and parallel", found.message);
+    EXPECT_EQ(
+        "Proved: there are serial singularities of 'rail_x', 'rail_y', 'rail_z', parallel singularities, and no "
+        "others.",
+        found.message);
   }
 }
 

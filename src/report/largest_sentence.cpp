@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/report/largest_sentence.h"
+
+#include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/interval/decimal.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// What is proved not to exist: "cube of a size above 0.644".
+std::string tooLarge(const LargestRegion& region, int decimals)
+{
+  const std::string shape = region.shape->name();
+  if (!region.ratio)
+    return shape + " of a size above " + roundedUp(region.size_upper_bound, decimals);
+  return shape + " with a radius of " + exact(region.ratio->lower) + " to " + exact(region.ratio->upper) +
+         " times its height and a volume above " +
+         roundedUp(region.volume_upper_bound, decimalsFor(region.volume, region.volume_upper_bound)) + " m^3";
+}
+}  // namespace
+
+int decimalsOf(const LargestRegion& region, double accuracy)
+{
+  return decimalsFor(region.size, region.ratio ? region.size + accuracy : region.size_upper_bound);
+}
+
+std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query, bool at_center)
+{
+  const std::string good = quality(query.criterion);
+  const std::string found =
+      "every point of the " + region.shape->name() + " with this center and size is " + good + "; ";
+  const std::string where = at_center          ? "with this center"
+                            : query.search_box ? "with its center in the search box"
+                                               : "wherever its center";
+  return "Proved: " + (region.size > 0.0 ? found : "") + "no " + tooLarge(region, decimalsOf(region, query.accuracy)) +
+         ", " + where + ", has all its points " + good + "." +
+         (slidesAlongRails(machine, query.criterion) ? " The rails are parallel: the same holds all along them." : "");
+}
+}  // namespace pkm_workspace

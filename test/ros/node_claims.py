@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the node says, each kind of sentence from each place that it comes from, and what the oracle holds of it."""
+
+import math
+import re
+
+import answer_claims as answers
+import marker_claims as markers
+import sentences
+from claims import criterion_of
+from reasons import N, hold
+
+QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularities of|global conditioning index of|"
+            r"comparison by the largest) .*)")
+REMARK = r"(?:\. (?P<remark>Joint limits are off: .*))?"
+MEAN = rf"global conditioning index from {N} to {N}(?:, to the accuracy asked for|\. .*)"
+EFFORT = r" \d+ boxes, \S+ s"
+BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "path inside", "path leaves",
+              "singularities")
+
+# name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
+CLAIMS = {
+    **{name: sentences.CLAIMS[name] for name in BY_COMMAND},
+    "region": (r"(?P<proven>proved to the accuracy asked for)" + REMARK, answers.region),
+    "no region": (r"(?P<none>no (?:region|cylinder) .*, proved)", answers.region),
+    "wide": (r"(?:.* ended the search: the bracket holds, but is wide|the accuracy is below what .*?)" + REMARK,
+             answers.region),
+    "limit": (r"(?P<reason>(?:the|joint|det) .*?)" + REMARK, answers.point),
+    "mean": (MEAN, answers.mean),
+    "set": (r"(?P<complete>Every box down to the resolution was looked at\.)|A limit or a cancel ended it early: .*",
+            answers.paving),
+    "comparison": (r"(?P<count>\d+) machines compared", answers.comparison),
+    "asked": ("computing: " + QUESTION, None),
+    # log lines and /diagnostics: the answer to the question before it
+    "region told": (r"(?:(?P<found>\w+) at \((?P<center>.*?)\) m of frame '\w+', .*? "
+                    r"(?P<size_told>\S+), dimensions (?P<dimensions>[^m]*) m"
+                    r"(?:, volume (?P<volume_told>\S+) m\^3)?\. )?"
+                    rf"(?P<proof>{sentences.CLAIMS['largest'][0]}){EFFORT}", answers.region_told),
+    "set told": (rf"set of measure (?P<bracket>{N} to {N}) m\^(?P<dimension>[23]);{EFFORT}", answers.set_told),
+    "singularities told": (r"(?P<sentence>.*\.)(?: \S+ s)?", answers.singularities_told),
+    "mean told": (rf"(?P<sentence>{MEAN})(?:; \S+ s)?", answers.mean_told),
+    "comparison told": (r"\d+ machines compared", None),
+    "wide told": (r"the bounds are wider than asked: .*", None),
+    "other": (r"(?!.*prove).*", None),  # of the URDF, and of the boxes in a picture
+    # markers
+    "label": (rf"(?P<shape>\w+) (?:of radius {N} m(?:, height {N} m)?|{N} x {N}(?: x {N})? m)", markers.label),
+    "stroke": (rf"(?P<joint>\w+)\nstroke <=\n{N} m", markers.stroke),
+    "caption": (r"(?:(?P<sentence>.*)\n)?\w+, geometry \w{8}, pkm_workspace \S+\n(?:dextrous|reachable).*",
+                markers.caption),
+    "box inside": ("box inside: proved for every point", markers.box_inside),
+    "box outside": (r"box outside: a bad point is near\n(?P<place>\(.*\)) m", markers.box_outside),
+    "box undecided": ("box undecided: the border of the set is too near", None),
+    "kind": (r"serial singularity: (?P<joint>\w+)|parallel singularity", markers.singularity),
+    "tool": (r"(?P<reason>(?:the|joint|det) .*?)", markers.tool),
+    "tool elsewhere": (r"tool point \(.*\) m: .*|at or beyond a parallel singularity.*|"
+                       r".*\(serial singularity\)", None),
+}
+REGION = ("region", "no region", "wide")
+RARE = {"singular point", "box undecided", "wide told", "tool elsewhere"}  # may be met with no seed
+SOURCES = {
+    "check_region": ("inside", "remark", "bad point", "singular point", "nothing"),
+    "check_path": ("path inside", "path leaves", "nothing"),
+    "evaluate_point": ("limit", ),
+    "compute_largest_region": REGION,
+    "find_largest_region": REGION,
+    "get_region": REGION,
+    "compute_conditioning": ("mean", ),
+    "compute_workspace": ("set", ),
+    "approximate_workspace": ("set", ),
+    "find_singularities": ("singularities", ),
+    "compare_machines": ("comparison", ),
+    "set_criterion": ("asked", ),
+    "answer": ("region told", "set told", "mean told", "comparison told", "singularities told"),
+    "log": ("wide told", "other"),
+    "markers": ("label", "stroke", "caption"),
+    "workspace_markers": ("caption", ),
+    "singularity_markers": ("kind", "caption"),
+    "box_markers": ("box inside", "box outside", "box undecided", "caption"),
+    "tool_markers": ("tool", "tool elsewhere", "caption"),
+}
+INSIDE, OUTSIDE, UNDECIDED = 1, 2, 3
+VERDICTS = {"inside": INSIDE, "remark": INSIDE, "bad point": OUTSIDE, "singular point": OUTSIDE, "nothing": UNDECIDED,
+            "path inside": INSIDE}
+
+
+def definition_of(hypotheses):
+    """In the words of the node's questions."""
+    hold(hypotheses.force_min == hypotheses.force_max == hypotheses.kappa_max == 0, "the oracle does not know these")
+    dextrous = f"dextrous with psi in [{hypotheses.psi_min!r}, {hypotheses.psi_max!r}]"
+    return ("", dextrous, "reachable")[hypotheses.set] + ", " + ("", "own", "other", "both")[hypotheses.aspect] + \
+        " aspect, joint limits " + ("on" if hypotheses.joint_limits else "off")
+
+
+def check(case):
+    """Holds a sentence and what stands beside it against the oracle. @return the name of the claim"""
+    is_free = not case.definition or case.definition == "global conditioning index of a region"
+    case.criterion = None if is_free else criterion_of(case.definition)
+    for name in SOURCES[case.source]:
+        pattern, holds = CLAIMS[name]
+        match = re.fullmatch(pattern, case.text)
+        if not match:
+            continue
+        if holds:
+            holds(case, match)
+        if name in VERDICTS:
+            hold(case.answer.verdict == VERDICTS[name], name, case.answer)
+        if case.source == "check_path":
+            answers.path(case)
+        return name
+    hold(False, "no pattern knows what", case.source, "says:", case.text)
+    return math.nan

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""All that a node is asked, for answers of every kind."""
+
+import copy
+import random
+import threading
+
+from answer_claims import brackets, xyz
+from claims import Case, criterion_of
+from geometry_msgs.msg import Point, Vector3
+from node_claims import definition_of
+from node_process import PATIENCE, wait_until
+from node_questions import solid
+from oracle import Machine, Region
+from pkm_workspace.msg import Bounds, CriterionRequest, ErrorCode, RegionRequest
+from pkm_workspace.srv import (CheckRegion, CheckRegionRequest, CompareMachines, CompareMachinesRequest,
+                               ComputeConditioning, ComputeConditioningRequest, FindSingularities,
+                               FindSingularitiesRequest, SetCriterion)
+from reasons import Wrong
+
+ON, OFF = CriterionRequest.ON, CriterionRequest.OFF
+FREE = CriterionRequest(joint_limits=OFF)
+REACHABLE = CriterionRequest(set=CriterionRequest.REACHABLE, aspect=CriterionRequest.BOTH)
+ONE_ASPECT = CriterionRequest(set=CriterionRequest.REACHABLE, aspect=CriterionRequest.OWN, joint_limits=OFF)
+NARROW = CriterionRequest(psi_min=0.9999, psi_max=1.0001)
+WIDE = CriterionRequest(psi_min=0.7, psi_max=1.4)
+SEED = 20261127
+STATUS = ("none", "there", "undecided")
+
+
+def is_about(markers, hypotheses):
+    return criterion_of(markers[0].text) == criterion_of(definition_of(hypotheses))
+
+
+class Questions:
+    """For a test that holds the answers, with held(), answered(), computed(), shown() and texts()."""
+
+    def ask(self, node):
+        for questions in (self.points, self.regions, self.paths, self.largest, self.goals, self.pavings,
+                          self.singularities, self.means, self.tools, self.criteria):
+            questions(node)
+
+    def points(self, node):
+        for width in [0.1, 0.3, 0.6, 1.0] * 3:
+            for criterion in (CriterionRequest(), FREE, REACHABLE):
+                point = node.near(self.rng, width)
+                self.answered(node, "evaluate_point", node.client.evaluate(point, criterion=criterion), point=point)
+
+    def region(self, node, shape, dimensions, center, **fields):
+        request = CheckRegionRequest(solid=solid(shape, dimensions), center=Point(*center), **fields)
+        answer = node.client.call("check_region", CheckRegion, request)
+        self.answered(node, "check_region", answer, region=Region(shape, dimensions, center),
+                      bad_point=xyz(answer.bad_point))
+
+    def regions(self, node):
+        for share in (0.1, 0.25, 0.4, 0.7, 2):
+            sides = [self.rng.uniform(0.8, 1.2) * share * node.span for _ in range(3)]
+            for criterion in (CriterionRequest(), FREE, REACHABLE, WIDE):
+                self.region(node, "box", sides, node.near(self.rng, 0.05), criterion=criterion)
+        for shape, shares in (("sphere", [0.1]), ("sphere", [0.5]), ("disc", [0, 0.1]), ("disc", [0, 0.6]),
+                              ("cylinder", [0.1, 0.2]), ("cylinder", [0.5, 0.5])):
+            self.region(node, shape, [share * node.span for share in shares], node.near(self.rng, 0.05))
+        for share in (0.2, 0.3, 0.4):
+            self.region(node, "box", [share * node.span] * 3, node.center, max_boxes=1)
+        at = [x + 0.55 * node.span for x in node.center]
+        self.region(node, "box", [0.3 * node.span] * 3, at, criterion=ONE_ASPECT)
+
+    def paths(self, node):
+        for width in (0.05, 0.1, 0.5, 0.8, 0.8, 3):
+            points = [node.center] + [node.near(self.rng, width) for _ in range(3)]
+            for criterion, way in ((CriterionRequest(), points), (FREE, points), (FREE, points[::-1])):
+                answer = node.client.check_line(way, criterion=criterion)
+                segments = [(f"segment {k}", *ends) for k, ends in enumerate(zip(way, way[1:]))]
+                self.answered(node, "check_path", answer, segments=segments)
+
+    def found(self, node, **fields):
+        region = node.client.largest_region(accuracy=0.02 * node.span, **fields)
+        self.answered(node, "compute_largest_region", region)
+        self.computed(node)
+        self.answered(node, "get_region", node.client.last_region())
+        if region.size > 0:
+            self.shown(node, "markers", lambda markers: any(
+                marker.ns == "region" and marker.text.startswith(region.shape) for marker in markers) and is_about(
+                    markers, region.hypotheses), region.hypotheses, answer=region)
+
+    def largest(self, node):
+        for shape, criterion in (("cube", WIDE), ("square", FREE), ("sphere", FREE), ("disc", CriterionRequest())):
+            self.found(node, shape=shape, criterion=criterion)
+        self.found(node, shape="box", proportions=Vector3(2, 1, 1))
+        self.found(node, shape="cylinder", ratio_min=0.5, ratio_max=0.5)
+        self.found(node, shape="cylinder", ratio_min=0.4, ratio_max=0.6)
+        self.found(node, shape="cube", criterion=NARROW)
+        self.found(node, shape="cube", use_search_box=True, min_corner=Point(*node.center),
+                   max_corner=Point(*(x + 0.3 * node.span for x in node.center)))
+
+    def goals(self, node):
+        """One that would go on for ever, until it is cancelled."""
+        told, enough = [], threading.Event()
+
+        def note(feedback):
+            told.append(feedback)
+            if feedback.size > 0 and len(told) > 1:
+                enough.set()
+
+        goal = node.client.find_region(note, shape="sphere", accuracy=1e-14 * node.span)
+        wait_until(lambda: enough.is_set() or goal.ended.is_set())
+        goal.cancel_goal()
+        self.assertTrue(goal.wait_for_result(PATIENCE))
+        region = goal.get_result().region
+        self.answered(node, "find_largest_region", region)
+        self.computed(node)
+        case = Case(machine=node.machine, rng=random.Random(SEED), answer=region,
+                    criterion=criterion_of(definition_of(region.hypotheses)))
+        brackets(case, told, region)
+        wider = copy.deepcopy(told[0])
+        wider.size_upper_bound *= 1.1
+        self.assertRaises(Wrong, brackets, case, [told[0], wider], region)
+
+    def pavings(self, node):
+        resolution = 0.1 * node.span
+        goal = node.client.approximate_workspace(resolution=2 * resolution, max_listed=500)
+        self.assertTrue(goal.wait_for_result(PATIENCE))
+        result = goal.get_result()
+        self.assertEqual((ErrorCode.SUCCESS, result.message), (result.error_code, result.workspace.message))
+        for source, answer in (("approximate_workspace", result.workspace),
+                               ("compute_workspace", node.client.workspace(resolution=resolution, max_listed=2000))):
+            ends = xyz(answer.min_corner) + xyz(answer.max_corner)
+            self.answered(node, source, answer, ends=ends)
+        node.computations += 1
+        self.computed(node, ends=ends)
+        self.shown(node, "workspace_markers", lambda markers: True, answer.hypotheses)
+        node.ends = ends
+
+    def singular(self, node, machine=None, region=None, **fields):
+        answer = node.client.call("find_singularities", FindSingularities, FindSingularitiesRequest(**fields))
+        legs = [("serial", leg.name) for leg in node.machine.legs[float]] + [("parallel", "")]
+        rows = [(*leg, STATUS[finding.status], [(a + b) / 2 for a, b in zip(xyz(finding.min_corner),
+                                                                          xyz(finding.max_corner))],
+                 (finding.least.lower, finding.least.upper)) for leg, finding in zip(legs, [*answer.serial,
+                                                                                         answer.parallel])]
+        more = {"machine": machine or node.machine}
+        self.answered(node, "find_singularities", answer, findings=rows, region=region, **more)
+        self.computed(node)
+        caption = answer.message + "\n"
+        self.shown(node, "singularity_markers", lambda markers: markers[0].text.startswith(caption) and is_about(
+            markers, answer.hypotheses), answer.hypotheses, **more)
+
+    def singularities(self, node):
+        kind = FindSingularitiesRequest
+        self.singular(node)
+        self.singular(node, aspect=kind.OWN)
+        self.singular(node, time_limit=1e-9)
+        if node.name != "uranesx":  # whose rails have no end then
+            self.singular(node, over=kind.REACHABLE)
+        sides = [0.2 * node.span] * 3
+        self.singular(node, over=kind.REGION, solid=solid("box", sides), center=Point(*node.center),
+                      region=Region("box", sides, node.center))
+        ends = [(-0.3 * node.span, (0.2 + 0.1 * k) * node.span) for k in range(3)]
+        self.singular(node, machine=node.machine.limited(ends), over=kind.JOINT_RANGES,
+                      ranges=[Bounds(*pair) for pair in ends])
+
+    def means(self, node):
+        sides = [0.3 * node.span, 0.2 * node.span, 0.25 * node.span]
+        for region in [Region("box", sides, node.center)] + [None] * (node.name != "uranesx"):
+            fields = {"over": 1, "solid": solid("box", sides), "center": Point(*node.center)} if region else {}
+            answer = node.client.call("compute_conditioning", ComputeConditioning, 
+                                      ComputeConditioningRequest(accuracy=0.05, **fields))
+            self.answered(node, "compute_conditioning", answer, region=region, accuracy=0.05)
+            self.computed(node)
+
+    def tools(self, node):
+        for share in (0, 0.1, 0.3):
+            for _ in range(3):
+                place = node.near(self.rng, share)
+                self.texts(node, "box_markers", node.box_at(place), node.region.hypotheses)
+        for _ in range(6):
+            markers = node.tool_to(node.near(self.rng, 1.5))
+            self.texts(node, "tool_markers", markers, node.region.hypotheses)
+
+    def criteria(self, node):
+        answer = node.client.call("set_criterion", SetCriterion, CriterionRequest(psi_min=0.6, psi_max=1.7), 0)
+        self.answered(node, "set_criterion", answer)
+        self.computed(node)
+        region = node.client.last_region()
+        self.assertEqual(0.6, region.hypotheses.psi_min)
+        self.answered(node, "get_region", region)
+
+    def compare(self, node, urdfs):
+        answer = node.client.call("compare_machines", CompareMachines, CompareMachinesRequest(
+            urdfs, RegionRequest(accuracy=0.02 * node.span)))
+        machines = [node.machine, *map(Machine, urdfs)]
+        self.answered(node, "compare_machines", answer, hypotheses=answer.machines[0].region.hypotheses,
+                      machines=machines)
+        self.computed(node)
