@@ -155,7 +155,8 @@ private:
     Words sides;
     for (const double side : shape.dimensions(size))
       sides.push_back(roundedDown(side, decimals));
-    return joined(sides, " x ") + " m";
+    const char* const of_round = sides.size() == 1 ? ", the radius" : ", height x radius";
+    return joined(sides, " x ") + " m" + (shape.isPolytope() ? "" : of_round);
   }
 
   MachineOptions machine_;

@@ -106,6 +106,8 @@ class Largest(CommandTest):
         cylinder = self.largest(ORTHOGLIDE, "--shape", "cylinder", "--ratio", 0.5, 0.5)
         self.assertEqual(cylinder["status"], "proven")
         self.assertEqual(cylinder["dimensions"], [cylinder["size"], cylinder["size"] / 2])
+        text = self.text("largest", "--urdf", ORTHOGLIDE, "--shape", "cylinder", "--ratio", 1, 1, "--accuracy", 0.01)
+        self.assertRegex(text, r"dimensions +0\.\d+ x 0\.\d+ m, height x radius\n")
 
     def test_a_free_ratio_is_bracketed_by_its_volume(self):
         words = ("--shape", "cylinder", "--accuracy", 1e-2, "--ratio")
