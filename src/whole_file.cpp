@@ -45,16 +45,6 @@ std::string folderOf(const std::string& path)
   return folder.empty() ? "." : folder.string();
 }
 
-/// Names that nobody guesses, whatever process ids return.
-std::string draftName(const std::string& path)
-{
-  std::random_device random;
-  std::string name = path + ".";
-  for (int k = 0; k < RANDOM_DIGITS; ++k)
-    name += "0123456789abcdef"[random() % 16];
-  return name + ENDING;
-}
-
 bool isDraftName(const std::string& name, const std::string& of)
 {
   const std::size_t size = of.size() + 1 + RANDOM_DIGITS + ENDING.size();
@@ -87,14 +77,14 @@ void removeLeftDrafts(const std::string& path)
 class Draft
 {
 public:
-  explicit Draft(const std::string& path) : path_(path), target_(targetOf(path))
+  Draft(const std::string& path, const DraftNames& names) : path_(path), target_(targetOf(path))
   {
     struct stat replaced;
     const bool replaces = stat(target_.c_str(), &replaced) == 0;
     if (replaces && !S_ISREG(replaced.st_mode))
       failFile(path_, "written", otherKind(replaced.st_mode));
     removeLeftDrafts(target_);
-    create();
+    create(names);
     if (replaces)
       keep(replaced);
   }
@@ -130,21 +120,24 @@ public:
   }
 
 private:
-  /// A draft that was not locked yet may have been taken for one that was left. Some file systems count no links.
-  void create()
+  /// A name may be taken. A draft that was not locked yet may have been taken for one that was left; some file systems
+  /// count no links.
+  void create(const DraftNames& names)
   {
     struct stat status = {};
     for (int turn = 0; turn < MOST_DRAFTS && status.st_nlink == 0; ++turn)
     {
       if (file_ >= 0)
         close(file_);
-      draft_ = draftName(target_);
+      draft_ = target_ + "." + names() + ENDING;
       file_ = open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (file_ < 0)
-        fail();
+      if (file_ < 0 && errno == EEXIST)
+        continue;
+      check(file_ >= 0);
       flock(file_, LOCK_EX);
       fstat(file_, &status);
     }
+    check(file_ >= 0);
   }
 
   /// As far as the user may: only root gives files away.
@@ -169,15 +162,24 @@ private:
 };
 }  // namespace
 
-void writeWholeFile(const std::string& path, const std::string& content)
+std::string unguessable()
 {
-  Draft draft(path);
+  std::random_device random;
+  std::string digits;
+  for (int k = 0; k < RANDOM_DIGITS; ++k)
+    digits += "0123456789abcdef"[random() % 16];
+  return digits;
+}
+
+void writeWholeFile(const std::string& path, const std::string& content, const DraftNames& names)
+{
+  Draft draft(path, names);
   draft.write(content);
   draft.takePlace();
 }
 
 void checkWholeFile(const std::string& path)
 {
-  const Draft draft(path);
+  const Draft draft(path, unguessable);
 }
 }  // namespace pkm_workspace

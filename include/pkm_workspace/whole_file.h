@@ -28,10 +28,16 @@ void readLines(const std::string& path, const LineTaker& take);
 /// The same from any source, which @p name stands for; throws what the source throws, too.
 void readLines(const std::string& name, const ByteSource& source, const LineTaker& take);
 
+/// What tells the name of a draft from the file's: 16 of the digits 0 to f.
+using DraftNames = std::function<std::string()>;
+/// Digits that nobody guesses, whatever process ids return.
+std::string unguessable();
+
 /// Writes a file of another name beside it, which then takes its place: what is there stays until all of the new
 /// content is on the disk, and then leaves it its permissions; a symbolic link goes on to name it. Removes what
 /// earlier runs that were killed had left beside it.
-void writeWholeFile(const std::string& path, const std::string& content);
+/// @param names of which ten are tried where others are taken
+void writeWholeFile(const std::string& path, const std::string& content, const DraftNames& names = unguessable);
 /// Whether writeWholeFile() could write there now.
 void checkWholeFile(const std::string& path);
 }  // namespace pkm_workspace

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <memory>
+#include <vector>
 
 #include "files/folder.h"
 #include "pkm_workspace/whole_file.h"
@@ -110,6 +114,51 @@ TEST_F(Writing, removesWhatKilledRunsLeft)
   EXPECT_EQ(names(), all);
   writeWholeFile(path("it"), "a");
   all.insert("it");
+  EXPECT_EQ(names(), all);
+}
+
+/// As somebody who writes that draft: it is locked and stays.
+class Taken
+{
+public:
+  explicit Taken(const std::string& draft) : file_(open(draft.c_str(), O_RDWR | O_CREAT, 0600))
+  {
+    flock(file_, LOCK_EX);
+  }
+  Taken(const Taken&) = delete;
+  Taken& operator=(const Taken&) = delete;
+  ~Taken() { close(file_); }
+
+private:
+  int file_;
+};
+
+TEST_F(Writing, triesTenNamesForItsDraft)
+{
+  writeWholeFile(path("it"), "before");
+  const std::string digits = "00000000000000";
+  std::vector<std::unique_ptr<Taken>> taken;
+  Names all = { "it" };
+  const auto take = [&](int k) {
+    const std::string name = "it." + digits + std::to_string(k) + ".part";
+    taken.push_back(std::make_unique<Taken>(path(name)));
+    all.insert(name);
+  };
+  int asked = 10;
+  const auto next = [&] { return digits + std::to_string(asked++); };
+  for (int k = 10; k < 19; ++k)
+    take(k);
+  writeWholeFile(path("it"), "after", next);  // the tenth is free
+  EXPECT_EQ(asked, 20);
+  EXPECT_EQ(content("it"), "after");
+  EXPECT_EQ(names(), all);
+
+  take(19);
+  asked = 10;
+  expectThrow<std::invalid_argument>([&] { writeWholeFile(path("it"), "lost", next); },
+                                     "it: cannot be written: File exists.*by way of .*it.0{14}19.part");
+  EXPECT_EQ(asked, 20);
+  EXPECT_EQ(content("it"), "after");
   EXPECT_EQ(names(), all);
 }
 
