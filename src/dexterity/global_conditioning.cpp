@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/partial_mean.h"
+#include "pkm_workspace/interval/running_bracket.h"
 #include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
@@ -53,16 +54,23 @@ public:
   {
     result_.dimension = static_cast<int>((box.lower.array() < box.upper.array()).count());
     addAll({ box });
+    sumUp();
     for (std::size_t next_look = 0; !parts_.empty() && !isOver() && !isFull();)
     {
-      if (parts_.size() >= next_look && widthNearly() <= query_.accuracy)
-        break;
       if (parts_.size() >= next_look)
+      {
+        sumUp();
+        if (widthNearly() <= query_.accuracy)
+          break;
         next_look = static_cast<std::size_t>(GROWTH * static_cast<double>(parts_.size()));
+      }
       const std::vector<Box> halves = takeHalves();
-      if (halves.empty())
-        break;
       addAll(halves);
+      if (halves.empty() || parts_.empty())
+      {
+        sumUp();
+        break;
+      }
     }
     result_.out_of_memory = isFull();
     conclude();
@@ -151,13 +159,23 @@ private:
     return measure > 0.0 ? uncertainty / measure : 1.0;
   }
 
-  void conclude()
+  /// Takes what the parts tell into the brackets. Whatever ends the computation between two looks, the answer is that
+  /// of the last one, which every longer computation has had too: brackets only get narrower.
+  void sumUp()
   {
     PartialMean mean;
     for (const Part& part : parts_)
       part.whole ? mean.addWhole(part.measure, part.index) : mean.addBorder(part.measure, part.index);
-    result_.measure = mean.measure();
-    result_.index = mean.mean();
+    const Interval measure = mean.measure();
+    const Interval index = mean.mean();
+    measure_.narrow(measure.lower(), measure.upper());
+    index_.narrow(index.lower(), index.upper());
+  }
+
+  void conclude()
+  {
+    result_.measure = { measure_.lower(), measure_.upper() };
+    result_.index = { index_.lower(), index_.upper() };
     result_.complete = result_.index.width() <= query_.accuracy;
     result_.seconds = budget_.seconds();
   }
@@ -169,6 +187,8 @@ private:
   const RunningBudget budget_;
   std::vector<Part> parts_;  ///< a heap, the most uncertain first
   double estimate_ = 0.5;
+  RunningBracket measure_;
+  RunningBracket index_{ 0.0, 1.0 };
   GlobalConditioning result_;
 };
 }  // namespace

@@ -125,6 +125,26 @@ TEST(GlobalConditioning, doesNotDependOnThreadsAndHeedsItsBudget)
   EXPECT_FALSE(intersection(stopped.index, one.index).isEmpty());
 }
 
+TEST(GlobalConditioning, moreBoxesNeverTellLess)
+{
+  const Box box{ Eigen::Vector3d(-0.3, -0.2, -0.4), Eigen::Vector3d(0.5, 0.6, 0.7) };
+  const BoxTest set(orthoglide(), Criterion());
+  ConditioningQuery query;
+  query.accuracy = 1e-6;
+  Interval index(0.0, 1.0);
+  Interval measure(0.0, 1.0);
+  for (query.budget.max_boxes = 1; query.budget.max_boxes < 4000; query.budget.max_boxes += 97)
+  {
+    const GlobalConditioning found = globalConditioning(orthoglide(), set, box, query);
+    ASSERT_TRUE(found.index.isSubsetOf(index)) << found.index << " after " << index << ", boxes " << found.boxes;
+    ASSERT_TRUE(found.measure.isSubsetOf(measure)) << found.measure << " after " << measure;
+    index = found.index;
+    measure = found.measure;
+  }
+  EXPECT_LT(index.width(), 0.2);
+  EXPECT_LT(measure.width(), 0.2);
+}
+
 TEST(GlobalConditioning, isZeroOutOfReachAndSoAtOnce)
 {
   const Eigen::Vector3d center = Eigen::Vector3d::Constant(9.0);
