@@ -28,7 +28,8 @@ struct Relation
   bool is_kept = false;
   std::string value;     ///< to six digits, on its side of the bound; empty where they do not tell or are not proved
   std::string distance;  ///< they are no farther apart than this; empty where there is no such number
-  std::string side;      ///< "above" or "below": where the value is, unless the enclosures leave that open
+  bool is_equal = false;
+  std::string side;  ///< "above" or "below": where the value is, unless the enclosures leave that open
 };
 
 std::string unitOf(Kind kind)
@@ -44,6 +45,7 @@ Relation relationOf(const Limit& limit, const Machine& machine)
   const bool is_below = relation.is_violated == isAtLeast(limit.kind);
   relation.side = is_below ? "below" : "above";
   const double distance = limit.margin.magnitude();
+  relation.is_equal = distance == 0.0;
   if (std::isfinite(distance))
     relation.distance = significantAbove(distance, 2) + unitOf(limit.kind);
   const double unit = unitOf(limit.kind).empty() ? std::max(1.0, limit.bound) : machine.scale();
@@ -64,6 +66,12 @@ std::string byAtMost(const Relation& relation)
   return relation.distance.empty() ? "" : ", by at most " + relation.distance;
 }
 
+/// ", to within 3e-12 m" or " exactly"
+std::string toWithin(const Relation& relation)
+{
+  return relation.is_equal ? " exactly" : relation.distance.empty() ? "" : ", to within " + relation.distance;
+}
+
 std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
 {
   const std::string strut = "the strut of '" + leg.joint + "' is " + nearly(limit.bound) + " m long";
@@ -72,8 +80,7 @@ std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& rela
            " across its rail";
   if (relation.is_violated)
     return strut + ", too short to reach across its rail" + byAtMost(relation);
-  return strut + " and reaches as far across its rail" + (relation.is_kept ? " or less" : "") +
-         (relation.distance.empty() ? "" : ", to within " + relation.distance);
+  return strut + " and reaches as far across its rail" + (relation.is_kept ? " or less" : "") + toWithin(relation);
 }
 
 /// @param name of what is limited @param is "is" or "would be" @param bound the limit in words
@@ -81,7 +88,7 @@ std::string phrase(const std::string& name, const std::string& is, const std::st
 {
   if (!relation.is_violated && !relation.is_kept)
     return name + (relation.distance.empty() ? " is not known well enough to tell it from " + bound
-                                             : " reaches " + bound + ", to within " + relation.distance);
+                                             : " reaches " + bound + toWithin(relation));
   if (relation.value.empty())
     return name + " " + is + " " + relation.side + " " + bound + byAtMost(relation);
   return name + " " + is + " " + relation.value + ", " + relation.side + " " + bound;

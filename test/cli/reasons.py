@@ -30,9 +30,9 @@ def number_or_near(text, bound, value, slack, where):
         hold(sign * (value - limit) >= -slack, where, text, "but it is", value)
         hold(match[3] is None or abs(value - limit) <= float(match[3]) + slack, where, text, "but it is", value)
         return
-    match = re.fullmatch(rf"reaches {bound}, to within {N}(?: m)?", text)
+    match = re.fullmatch(rf"reaches {bound}(?:, to within {N}(?: m)?| exactly)", text)
     hold(match, "no pattern knows the reason:", where, text)
-    hold(abs(value - float(match[1])) <= float(match[2]) + slack, where, text, "but it is", value)
+    hold(abs(value - float(match[1])) <= float(match[2] or 0) + slack, where, text, "but it is", value)
 
 
 def strut(machine, name, text, state, slack):
@@ -43,7 +43,7 @@ def strut(machine, name, text, state, slack):
     hold(match and abs(float(match[1]) - length) <= 1e-8 * length, name, text, "but it is", length)
     far = re.fullmatch(rf" and (would have to reach|reaches) {N} m across its rail", match[2])
     near = re.fullmatch(rf", too short to reach across its rail(?:, by at most {N} m)?", match[2])
-    just = re.fullmatch(rf" and reaches as far across its rail(?: or less)?(?:, to within {N} m)?", match[2])
+    just = re.fullmatch(rf" and reaches as far across its rail(?: or less)?(?:, to within {N} m| exactly)?", match[2])
     hold(far or near or just, "no pattern knows the reason:", text)
     is_kept = just or far and far[1] == "reaches"
     hold(is_kept or across >= length - slack, text, "but it reaches", across, "of", length)
@@ -51,7 +51,7 @@ def strut(machine, name, text, state, slack):
         hold(abs(float(far[2]) - across) <= 1e-5 * across + slack, text, "but", across)
         hold((far[1] == "reaches") == (float(far[2]) < length), text, "of", length)
     if near or just:
-        by = (near or just)[1]
+        by = 0 if text.endswith("exactly") else (near or just)[1]
         hold(by is None or abs(across - length) <= float(by) + slack, text, "but", across - length)
 
 

@@ -57,6 +57,8 @@ std::optional<Reading> readReach(Claim claim)
     return Reading{ -1, {}, claim.number(2), claim.number(1) };
   if (claim.says("is # m long and reaches as far across its rail, to within # m"))
     return Reading{ 0, {}, claim.number(2), claim.number(1) };
+  if (claim.says("is # m long and reaches as far across its rail exactly"))
+    return Reading{ 0, {}, 0.0, claim.number(1) };
   return std::nullopt;
 }
 
@@ -78,6 +80,8 @@ std::optional<Reading> read(const std::string& text)
     }
     if (claim.says(" reaches " + bound + ", to within #" + unit))
       return Reading{ 0, {}, claim.number(2), claim.number(1) };
+    if (claim.says(" reaches " + bound + " exactly"))
+      return Reading{ 0, {}, 0.0, claim.number(1) };
     if (claim.says("is not known well enough to tell it from " + bound))
       return Reading{ 0, {}, {}, claim.number(1) };
   }
@@ -159,6 +163,9 @@ TEST(BindingLimit, tellsValuesFromBoundsAsShortlyAsItCan)
             "the largest velocity transmission factor is above 2, by at most 4.5e-16");
   EXPECT_EQ(says(at(Kind::PSI_MAX, -1, Interval(2.0, more), 2.0, false)),
             "the largest velocity transmission factor reaches 2, to within 4.5e-16");
+  EXPECT_EQ(says(at(Kind::PSI_MAX, -1, 2.0, 2.0, false)), "the largest velocity transmission factor reaches 2 exactly");
+  EXPECT_EQ(says(at(Kind::REACH, 2, 0.274, 0.274, false)),
+            "the strut of 'rail_z' is 0.274 m long and reaches as far across its rail exactly");
   EXPECT_EQ(says(at(Kind::PSI_MAX, -1, Interval(3.0, INFINITY), 2.0, false)),
             "the largest velocity transmission factor is above 2");
   EXPECT_EQ(says(at(Kind::JOINT_LOWER, 0, -8.67362e-17, 0.0, true)),

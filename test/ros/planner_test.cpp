@@ -86,6 +86,16 @@ TEST(CheckRegion, saysWhatItMeansForLimitsThatAreLeftAside)
   EXPECT_NE(std::string::npos, call<EvaluatePoint>("evaluate_point", point).message.find(REMARK));
 }
 
+/// At (0, 0, 1) two struts of 1 m are at right angles to their rails.
+TEST(EvaluatePoint, saysOfAnEqualValueThatItIsEqual)
+{
+  EvaluatePoint::Request request;
+  request.point.z = 1.0;
+  const std::string message = call<EvaluatePoint>("evaluate_point", request).message;
+  EXPECT_NE(std::string::npos, message.find("exactly")) << message;
+  EXPECT_EQ(std::string::npos, message.find("within 0")) << message;
+}
+
 TEST(CheckRegion, takesSpheresAndCylinders)
 {
   using Solid = shape_msgs::SolidPrimitive;
