@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "pkm_workspace/common/processors.h"
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/paving/paving.h"
-#include "pkm_workspace/processors.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "rows.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/common/parallel.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

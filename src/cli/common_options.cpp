@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 
 namespace pkm_workspace
 {

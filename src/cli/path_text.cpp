@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "values.h"
 
 namespace pkm_workspace

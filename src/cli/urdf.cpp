@@ -6,11 +6,11 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "pkm_workspace/version.h"
-#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {

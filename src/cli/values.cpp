@@ -8,8 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {

@@ -8,7 +8,7 @@
 
 #include "pkm_workspace/interval/box.h"
 #include "pkm_workspace/region/path.h"
-#include "pkm_workspace/text.h"
+#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

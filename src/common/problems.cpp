@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pkm_workspace/text.h"
+#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/partial_mean.h"
 #include "pkm_workspace/interval/running_bracket.h"
-#include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
 {

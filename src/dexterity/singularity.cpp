@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/dexterity/zero_between.h"
-#include "pkm_workspace/parallel.h"
 
 namespace pkm_workspace
 {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/paving/paving.h"
 
 namespace pkm_workspace

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "byte_order.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/version.h"
-#include "pkm_workspace/whole_file.h"
 
 namespace pkm_workspace
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/common/parallel.h"
 
 namespace pkm_workspace
 {

@@ -5,7 +5,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/report/binding_limit.h"
-#include "pkm_workspace/text.h"
+#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

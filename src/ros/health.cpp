@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/health.h"
 
-#include "pkm_workspace/text.h"
+#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

@@ -3,7 +3,7 @@
 
 #include <ros/console.h>
 
-#include "pkm_workspace/text.h"
+#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

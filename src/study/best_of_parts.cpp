@@ -3,7 +3,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/study/best_parameter.h"
 
 namespace pkm_workspace

@@ -6,7 +6,7 @@
 
 #include "closure.h"
 #include "number_text.h"
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "reader_warnings.h"
 #include "refusal.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/dexterity/criterion.h"
-#include "pkm_workspace/text.h"
 #include "support/expect_throw.h"
 
 namespace pkm_workspace

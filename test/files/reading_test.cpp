@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/folder.h"
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "support/expect_throw.h"
 #include "support/random.h"
 

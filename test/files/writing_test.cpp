@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files/folder.h"
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "support/expect_throw.h"
 
 namespace pkm_workspace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/paving_file.h"
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

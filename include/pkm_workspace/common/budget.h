@@ -8,7 +8,7 @@
 #include <string>
 
 #include "pkm_workspace/common/problems.h"
-#include "pkm_workspace/processors.h"
+#include "pkm_workspace/common/processors.h"
 
 namespace pkm_workspace
 {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "pkm_workspace/common/pace.h"
 #include "pkm_workspace/dexterity/verdict.h"
-#include "pkm_workspace/pace.h"
 #include "pkm_workspace/paving/box_tree.h"
 
 namespace pkm_workspace

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/interval/running_bracket.h"
-#include "pkm_workspace/parallel.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/region/center_test.h"
 #include "pkm_workspace/region/incumbent.h"

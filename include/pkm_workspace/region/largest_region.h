@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/common/pace.h"
 #include "pkm_workspace/dexterity/verdict.h"
-#include "pkm_workspace/pace.h"
 #include "pkm_workspace/region/joint_ranges.h"
 #include "pkm_workspace/region/shape.h"
 

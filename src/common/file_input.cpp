@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "file_trouble.h"
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 
 namespace pkm_workspace
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pkm_workspace/parallel.h"
+#include "pkm_workspace/common/parallel.h"
 
 #include <algorithm>
 #include <ctime>
 #include <system_error>
 
-#include "pkm_workspace/processors.h"
+#include "pkm_workspace/common/processors.h"
 
 namespace pkm_workspace
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pkm_workspace/whole_file.h"
+#include "pkm_workspace/common/whole_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
