@@ -105,9 +105,9 @@ private:
     Verdicts verdicts{ everywhere(), !everywhere() };
     for (std::size_t i = 0; i < 3; ++i)
     {
-      verdicts.outside = verdicts.outside | (forms.radicand[i].upper() < model_.floor(i));
+      verdicts.outside = verdicts.outside | (forms.legs[i].squared_drive.upper() < model_.floor(i));
       if (!criterion.boundsAbove())  // otherwise implied by the diagonal of S_max
-        require(forms.radicand[i], question, verdicts);
+        require(forms.legs[i].squared_drive, question, verdicts);
     }
     for (std::size_t leg = 0; leg < 3; ++leg)
       for (int side = 0; side < 2; ++side)

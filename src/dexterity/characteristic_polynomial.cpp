@@ -4,77 +4,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "mean_value_form.h"
+
 namespace pkm_workspace
 {
 namespace
 {
-/// A function of the tool point over one box: enclosures of its value at the box's center, and of its values and of its
-/// derivatives with respect to x, y, z on the whole box (automatic differentiation, forward mode).
-struct Form
-{
-  Interval center;
-  Interval range;
-  IntervalVector gradient;
-};
-
-using FormVector = std::array<Form, 3>;
-
-Form operator+(const Form& f, const Form& g)
-{
-  return { f.center + g.center, f.range + g.range, f.gradient + g.gradient };
-}
-
-Form operator-(const Form& f, const Form& g)
-{
-  return { f.center - g.center, f.range - g.range, f.gradient - g.gradient };
-}
-
-Form operator*(const Interval& s, const Form& f)
-{
-  return { s * f.center, s * f.range, s * f.gradient };
-}
-
-Form operator*(const Form& f, const Form& g)
-{
-  return { f.center * g.center, f.range * g.range, f.range * g.gradient + g.range * f.gradient };
-}
-
-Form operator-(const Interval& s, const Form& f)
-{
-  return { s - f.center, s - f.range, Interval(-1.0) * f.gradient };
-}
-
-Form sqr(const Form& f)
-{
-  return { sqr(f.center), sqr(f.range), (Interval(2.0) * f.range) * f.gradient };
-}
-
-/// @pre f is positive on the box
-Form sqrt(const Form& f)
-{
-  const Interval root = sqrt(f.range);
-  return { sqrt(f.center), root, (Interval(0.5) / root) * f.gradient };
-}
-
-/// The box that forms are about.
-class Chart
-{
-public:
-  explicit Chart(const Box& box) : center(enclose(box.center())), range(enclose(box)), offset_(range - center) {}
-
-  const IntervalVector center;
-  const IntervalVector range;
-
-  /// Narrows f by its mean-value form: f(p) - f(c) = f'(.) (p - c) somewhere on the line from c to p.
-  Form tightened(Form f) const
-  {
-    f.range = intersection(f.range, f.center + dot(f.gradient, offset_));
-    return f;
-  }
-
-private:
-  IntervalVector offset_;
-};
+using mean_value::Chart;
+using mean_value::Form;
+using mean_value::FormVector;
 
 /// One leg over the box.
 struct LegForms
@@ -132,16 +70,41 @@ std::optional<bool> isPositive(const Symmetric<Interval>& m)
   return std::nullopt;
 }
 
-/// @param sign +1 or -1 @return sign S(sigma) at one point [m^2]
-Symmetric<Interval> pencilAt(const Machine& machine, const Configuration& point, const Interval& sigma, double sign)
+/// The machine at one point of its workspace.
+struct Point
 {
-  Symmetric<Interval> s;
-  for (std::size_t i = 0; i < 3; ++i)
+  IntervalVector eta;                   ///< [m]
+  std::array<IntervalVector, 3> strut;  ///< [m]
+
+  /// sign S(sigma) [m^2]. @param sign +1 or -1
+  Symmetric<Interval> pencil(const Machine& machine, const Interval& sigma, double sign) const
   {
-    s.diagonal[i] = sign * (sqr(machine.legs()[i].length) - sigma * sqr(point.eta[i]));
-    s.off[i] = sign * dot(point.strut[(i + 1) % 3], point.strut[(i + 2) % 3]);
+    Symmetric<Interval> s;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      s.diagonal[i] = sign * (sqr(machine.legs()[i].length) - sigma * sqr(eta[i]));
+      s.off[i] = sign * dot(strut[(i + 1) % 3], strut[(i + 2) % 3]);
+    }
+    return s;
   }
-  return s;
+};
+
+/// @return nothing when a leg is not proved to reach p
+std::optional<Point> pointAt(const Machine& machine, const IntervalVector& p)
+{
+  Point point;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Leg& leg = machine.leg(i);
+    const IntervalVector across = machine.projector(i) * (p - machine.center(i));
+    const Interval radicand = sqr(leg.length) - squaredNorm(across);
+    if (radicand.lower() < 0.0)
+      return std::nullopt;
+    const auto k = static_cast<std::size_t>(i);
+    point.eta[k] = Interval(leg.working_mode) * sqrt(radicand);
+    point.strut[k] = across + point.eta[k] * leg.axis;
+  }
+  return point;
 }
 
 /// The legs over one box.
@@ -265,7 +228,7 @@ BoxVerdict CharacteristicTest::classify(const Box& box) const
   for (std::size_t i = 0; i < 3; ++i)
     if ((sigma_max_ * legs.forms[i].radicand.range - sqr(machine_.legs()[i].length)).certainlyNegative())
       return BoxVerdict::OUTSIDE;  // leg i does not reach, or an entry of S(sigma_max)'s diagonal is positive
-  const auto center = configurationAt(machine_, box.center());
+  const auto center = pointAt(machine_, enclose(box.center()));
   if (!center || !legs.areWithinCylinders())
     return BoxVerdict::UNDECIDED;
   const bool is_point = box.lower == box.upper;  // then the center is all there is
@@ -274,11 +237,12 @@ BoxVerdict CharacteristicTest::classify(const Box& box) const
     return is_point || isNoEigenvalue(machine_, box, *pencil, sigma);
   };
 
-  const Interval orientation = static_cast<double>(aspect_) * center->det_a;
+  const Interval orientation =
+      static_cast<double>(aspect_) * determinant(center->strut[0], center->strut[1], center->strut[2]);
   if (orientation.certainlyNegative() && holdsOnBox(0.0))
     return BoxVerdict::OUTSIDE;  // det A is 0 nowhere: the other aspect
-  const auto above_min = isPositive(pencilAt(machine_, *center, sigma_min_, 1.0));
-  const auto below_max = isPositive(pencilAt(machine_, *center, sigma_max_, -1.0));
+  const auto above_min = isPositive(center->pencil(machine_, sigma_min_, 1.0));
+  const auto below_max = isPositive(center->pencil(machine_, sigma_max_, -1.0));
   const auto isFalse = [](const std::optional<bool>& known) { return known && !*known; };
   if ((isFalse(above_min) && holdsOnBox(sigma_min_)) || (isFalse(below_max) && holdsOnBox(sigma_max_)))
     return BoxVerdict::OUTSIDE;  // section 2.2.2

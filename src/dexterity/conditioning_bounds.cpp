@@ -75,17 +75,18 @@ ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box
 {
   const CenteredBox<double> centered(box);
   const MachineForms<double> forms = model.evaluate(centered);
-  for (const Form& radicand : forms.radicand)
-    if (radicand.upper() < 0.0)
+  const std::array<Form, 3> b_b = forms.squaredDrives();
+  for (const Form& square : b_b)
+    if (square.upper() < 0.0)
       return OUT_OF_REACH;
-  for (const Form& radicand : forms.radicand)
-    if (!(radicand.lower() > 0.0))
+  for (const Form& square : b_b)
+    if (!(square.lower() > 0.0))
       return NOTHING;
   const Matrix a_a = model.gramMatrix(forms);
   const ExtremeFactors<double> factors = model.extremeFactors(forms);
   Form least, largest;
-  if (!encloseExtreme(a_a, forms.radicand, factors.largest.vector, true, largest) || !(largest.lower() > 0.0) ||
-      !encloseExtreme(a_a, forms.radicand, factors.least.vector, false, least))
+  if (!encloseExtreme(a_a, b_b, factors.largest.vector, true, largest) || !(largest.lower() > 0.0) ||
+      !encloseExtreme(a_a, b_b, factors.least.vector, false, least))
     return NOTHING;
   const Form index = sqrtAbove(least * inverseOf(largest), 0.0);
   if (!std::isfinite(index.magnitude()))

@@ -30,7 +30,7 @@ public:
     const MachineForms<Real> forms = model_.evaluate(box);
     Mask violated = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
-      violated = violated | (forms.radicand[i].upper() < model_.floor(i));
+      violated = violated | (forms.legs[i].squared_drive.upper() < model_.floor(i));
     const Criterion& criterion = model_.criterion();
     begin(results, count, violated);
     if (criterion.boundsAbove())
@@ -38,7 +38,7 @@ public:
     if (criterion.boundsBelow())
       appendMatrix(model_.lowerMatrix(forms), results, count);
     for (std::size_t i = 0; i < 3 && !criterion.boundsAbove(); ++i)
-      append(scaled(forms.radicand[i], 2), everywhere(), results, count);
+      append(scaled(forms.legs[i].squared_drive, 2), everywhere(), results, count);
     if (criterion.boundsCondition())
     {
       ConditionForms<Real> condition;

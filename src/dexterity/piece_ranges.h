@@ -40,8 +40,8 @@ inline std::array<Span<Real>, 3> factorsOver(const MachineModel<Real>& model, co
   std::array<Real, 3> inverse;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    squares[i] = forms.radicand[i];
-    inverse[i] = Real(1) / forms.eta[i].center;
+    squares[i] = forms.legs[i].squared_drive;
+    inverse[i] = Real(1) / forms.legs[i].drive.center;
   }
   eigen::Symmetric<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
@@ -84,7 +84,7 @@ inline PieceRanges<Real> rangesOver(const MachineModel<Real>& model, const Machi
   const Real infinite(std::numeric_limits<double>::infinity());
   MaskOf<Real> reaches = Real(1.0) > Real(0.0);
   for (std::size_t i = 0; i < 3; ++i)
-    reaches = reaches & (forms.radicand[i].lower() > max(model.floor(i), Real(0.0)));
+    reaches = reaches & (forms.legs[i].squared_drive.lower() > max(model.floor(i), Real(0.0)));
   PieceRanges<Real> ranges;
   ranges.psi = factorsOver(model, forms);
   const AffineVector<Real> direction = asVector(tangent);
@@ -93,7 +93,8 @@ inline PieceRanges<Real> rangesOver(const MachineModel<Real>& model, const Machi
     const AffineForm<Real> rho = model.joint(i, forms, points);
     ranges.psi[i] = { select(reaches, ranges.psi[i].lower, Real(0.0)), select(reaches, ranges.psi[i].upper, infinite) };
     ranges.joint[i] = { select(reaches, rho.lower(), -infinite), select(reaches, rho.upper(), infinite) };
-    ranges.speed[i] = select(reaches, largestQuotient(dot(forms.strut[i], direction), forms.eta[i]), infinite);
+    ranges.speed[i] =
+        select(reaches, largestQuotient(dot(forms.legs[i].row, direction), forms.legs[i].drive), infinite);
   }
   return ranges;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/machine/sliding_strut.h"
 
 namespace pkm_workspace
 {
@@ -124,7 +125,9 @@ void PointEvaluator::addReach(const Eigen::Vector3d& point, PointEvaluation& res
   for (int i = 0; i < 3; ++i)
   {
     const Interval& length = machine_.leg(i).length;
-    const Interval across = norm(machine_.projector(i) * (enclose(point) - machine_.center(i)));
+    LegState<Interval, IntervalVector> state;
+    evaluateAcross(enclosedStrut(machine_, i), enclose(point), state);
+    const Interval across = norm(state.row);
     result.limits.push_back({ Kind::REACH, i, across, length.mid(), length - across });
   }
 }

@@ -124,10 +124,10 @@ private:
     const MachineForms<double> forms = model_.evaluate(centered);
     const BoxVerdict part = query_.part ? query_.part(box) : BoxVerdict::INSIDE;
     Look look{ part == BoxVerdict::OUTSIDE, sure_ && part == BoxVerdict::INSIDE,
-               measure_ == PARALLEL ? model_.orientation(forms) : forms.radicand[measure_] };
+               measure_ == PARALLEL ? model_.orientation(forms) : forms.legs[measure_].squared_drive };
     for (std::size_t leg = 0; leg < 3; ++leg)
     {
-      look.ask(forms.radicand[leg], leg == measure_);
+      look.ask(forms.legs[leg].squared_drive, leg == measure_);
       for (const int side : { 0, 1 })
       {
         if (model_.limited(leg, side))

@@ -45,14 +45,14 @@ StrutSphere::StrutSphere(const Vector3d& center, double radius, const IntervalVe
 bool StrutSphere::hasInCone(const CenteredBox<double>& box) const
 {
   AffineVector<double> along;
-  mapBox(along_, origin_, box, along);
+  mapOffset(along_, origin_, box, along);
   return component(along, 0).lower() >= 0.0 && component(along, 1).lower() >= 0.0;
 }
 
 AffineForm<double> StrutSphere::excess(const CenteredBox<double>& box) const
 {
   AffineVector<double> from_center;
-  mapBox(identity_, origin_, box, from_center);
+  mapOffset(identity_, origin_, box, from_center);
   return per_square_ * squaredNorm(from_center) + Enclosed<double>(Interval(-0.5));
 }
 

@@ -118,7 +118,7 @@ Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
   if (!criterion.boundsAbove())
     return leg.length;
   const Interval share = Interval(1.0) - Interval(1.0) / sqr(criterion.largestFactor());
-  return leg.length * sqrt(Interval(std::max(0.0, share.lower()), std::max(0.0, share.upper())));
+  return leg.length * sqrtAboveZero(share);
 }
 
 Interval etaRange(const Leg& leg, const Criterion& criterion)
@@ -133,8 +133,7 @@ IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& rad
   IntervalVector q;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Interval entry = machine.projector(leg)[k][k];
-    q[k] = symmetric(radius * sqrt(Interval(std::max(0.0, entry.lower()), std::max(0.0, entry.upper()))));
+    q[k] = symmetric(radius * sqrtAboveZero(machine.projector(leg)[k][k]));
   }
   return q;
 }

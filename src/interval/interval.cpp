@@ -212,6 +212,11 @@ Interval sqrt(const Interval& x)
   return x.isEmpty() ? x : keeping([&] { return squareRoot(x); });
 }
 
+Interval sqrtAboveZero(const Interval& x)
+{
+  return x.isEmpty() ? x : sqrt(Interval(std::max(0.0, x.lower()), std::max(0.0, x.upper())));
+}
+
 Interval abs(const Interval& x)
 {
   return x.isEmpty() ? x : Interval(x.mignitude(), x.magnitude());

@@ -2,9 +2,11 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 #include "pkm_workspace/machine/assembly.h"
+#include "pkm_workspace/machine/leg_kinds.h"
 
 namespace pkm_workspace
 {
@@ -32,24 +34,45 @@ std::optional<std::array<Vector3d, 2>> meet(const Matrix3d& centers, const Vecto
   const Vector3d height = std::sqrt(height_squared / area_squared) * normal;
   return std::array<Vector3d, 2>{ origin + in_plane + height, origin + in_plane - height };
 }
+
+/// A leg in floating point.
+struct PlainState
+{
+  LegState<double, PlainVector<double>> state;
+  double joint;  ///< [m]
+};
+
+/// @return nothing where a leg does not reach
+std::optional<std::array<PlainState, 3>> legsAt(const Machine& machine, const Vector3d& p)
+{
+  std::array<PlainState, 3> legs;
+  const PlainVector<double> point = { p.x(), p.y(), p.z() };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const PlainLeg<double> leg = plain(ofForms<double>(enclosedLeg(machine, static_cast<int>(i))));
+    evaluate(
+        leg, point, [](double x) { return std::sqrt(std::max(x, 0.0)); }, legs[i].state);
+    if (!(legs[i].state.squared_drive >= 0.0))
+      return std::nullopt;
+    legs[i].joint = jointOf(leg, point, legs[i].state);
+  }
+  return legs;
+}
 }  // namespace
 
 std::optional<Configuration> configurationAt(const Machine& machine, const IntervalVector& p)
 {
   Configuration configuration;
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const auto index = static_cast<std::size_t>(i);
-    const Leg& leg = machine.leg(i);
-    const IntervalVector offset = p - machine.center(i);
-    const IntervalVector across = machine.projector(i) * offset;
-    const Interval radicand = sqr(leg.length) - squaredNorm(across);
-    if (radicand.lower() < 0.0)
+    const EnclosedLeg leg = enclosedLeg(machine, static_cast<int>(i));
+    LegState<Interval, IntervalVector> state;
+    evaluate(leg, p, sqrtAboveZero, state);
+    if (state.squared_drive.lower() < 0.0)
       return std::nullopt;
-    const Interval eta = Interval(leg.working_mode) * sqrt(radicand);
-    configuration.eta[index] = eta;
-    configuration.strut[index] = across + eta * leg.axis;
-    configuration.rho[index] = dot(leg.axis, offset) - eta;
+    configuration.eta[i] = state.drive;
+    configuration.strut[i] = state.row;
+    configuration.rho[i] = jointOf(leg, p, state);
   }
   configuration.det_a = determinant(configuration.strut[0], configuration.strut[1], configuration.strut[2]);
   return configuration;
@@ -62,19 +85,8 @@ std::optional<Configuration> configurationAt(const Machine& machine, const Vecto
 
 std::optional<Vector3d> inverseKinematics(const Machine& machine, const Vector3d& p)
 {
-  Vector3d rho;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Vector3d offset = p - mid(machine.center(i));
-    const Vector3d axis = mid(machine.leg(i).axis);
-    const double along = axis.dot(offset);
-    const double length = machine.leg(i).length.mid();
-    const double across = (offset - along * axis).norm();
-    if (!(across <= length))
-      return std::nullopt;
-    rho[i] = along - machine.leg(i).working_mode * std::sqrt((length - across) * (length + across));
-  }
-  return rho;
+  const auto legs = legsAt(machine, p);
+  return legs ? std::make_optional<Vector3d>((*legs)[0].joint, (*legs)[1].joint, (*legs)[2].joint) : std::nullopt;
 }
 
 std::optional<Vector3d> forwardKinematics(const Machine& machine, const Vector3d& rho)
@@ -108,16 +120,15 @@ std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, in
 
 std::optional<Jacobians> jacobians(const Machine& machine, const Vector3d& p)
 {
-  const auto rho = inverseKinematics(machine, p);
-  if (!rho)
+  const auto legs = legsAt(machine, p);
+  if (!legs)
     return std::nullopt;
   Jacobians result;
   for (int i = 0; i < 3; ++i)
   {
-    const Vector3d axis = mid(machine.leg(i).axis);
-    const Vector3d strut = p - mid(machine.center(i)) - (*rho)[i] * axis;
-    result.a.row(i) = strut.transpose();
-    result.b[i] = strut.dot(axis);
+    const PlainState& leg = (*legs)[static_cast<std::size_t>(i)];
+    result.a.row(i) = Eigen::Map<const Eigen::RowVector3d>(leg.state.row.data());
+    result.b[i] = leg.state.drive;
     if (result.b[i] == 0.0)
       return std::nullopt;
   }

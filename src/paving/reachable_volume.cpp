@@ -59,7 +59,7 @@ Interval shareOfSet(const MachineModel<double>& model, const Box& box)
   };
   for (std::size_t leg = 0; leg < 3; ++leg)
   {
-    ask(forms.radicand[leg]);
+    ask(forms.legs[leg].squared_drive);
     for (const int side : { 0, 1 })
       if (model.limited(leg, side))
         ask(model.limitMargin(leg, side, forms, centered));

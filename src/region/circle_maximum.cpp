@@ -109,6 +109,37 @@ private:
 };
 }  // namespace
 
+Trigonometric dotOffset(const IntervalVector& a, const IntervalVector& c, const Circle& p)
+{
+  return { dot(a, p.center - c), p.radius * a[0], p.radius * a[1], 0.0, 0.0 };
+}
+
+void mapOffset(const IntervalMatrix& m, const IntervalVector& c, const Circle& p, TrigonometricVector& image)
+{
+  image = { dotOffset(m[0], c, p), dotOffset(m[1], c, p), dotOffset(m[2], c, p) };
+}
+
+Trigonometric squaredNorm(const TrigonometricVector& v)
+{
+  const Interval half(0.5);
+  const Interval two(2.0);
+  Trigonometric sum{ 0.0, 0.0, 0.0, 0.0, 0.0 };
+  for (const Trigonometric& f : v)
+  {
+    sum.constant += sqr(f.constant) + half * (sqr(f.cosine) + sqr(f.sine));
+    sum.cosine += two * f.constant * f.cosine;
+    sum.sine += two * f.constant * f.sine;
+    sum.cosine2 += half * (sqr(f.cosine) - sqr(f.sine));
+    sum.sine2 += f.cosine * f.sine;
+  }
+  return sum;
+}
+
+Trigonometric operator-(const Interval& s, const Trigonometric& f)
+{
+  return { s - f.constant, -f.cosine, -f.sine, -f.cosine2, -f.sine2 };
+}
+
 Interval largestOnCircle(const Trigonometric& linear, const Trigonometric& radicand, double gap)
 {
   return CircleMaximum(linear, radicand).run(gap);

@@ -59,15 +59,10 @@ Cut cutOff(const Box& part, const AffineForm<double>& form)
 }
 
 /// The axis of a cylinder along parallel rails, or -1. Nothing but joint values changes along it, and these in
-/// proportion, so that parts need not be divided there. Told by two points: only the number of parts depends on it.
-int wholeAxis(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
+/// proportion, so that parts need not be divided there.
+int wholeAxis(const BoxTest& test, const Shape& shape, double size)
 {
-  if (shape.isPolytope() || shape.ballRadius(size))
-    return -1;
-  const auto strutsAt = [&](double height) {
-    return test.model().evaluate(std::array<double, 3>{ center.x(), center.y(), center.z() + height }).strut;
-  };
-  return strutsAt(0.0) == strutsAt(size * shape.halfExtents().z()) ? 2 : -1;
+  return !shape.isPolytope() && !shape.ballRadius(size) && test.model().axisOfRails() == 2 ? 2 : -1;
 }
 
 /// Subdivides one region; looks for a bad point wherever the margin is the least so far.
@@ -83,7 +78,7 @@ public:
     , shape_(shape)
     , center_(center)
     , size_(size)
-    , whole_axis_(wholeAxis(test, shape, center, size))
+    , whole_axis_(wholeAxis(test, shape, size))
   {}
 
   ContainmentResult run()

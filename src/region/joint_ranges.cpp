@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "circle_maximum.h"
+#include "pkm_workspace/machine/sliding_strut.h"
 
 namespace pkm_workspace
 {
@@ -57,43 +58,33 @@ class Strut
 {
 public:
   Strut(const Machine& machine, int leg)
-    : center_(machine.center(leg))
-    , projector_(machine.projector(leg))
-    , weight_(Interval(machine.leg(leg).working_mode) * machine.leg(leg).axis)
-    , length_(machine.leg(leg).length)
+    : strut_(enclosedStrut(machine, leg)), weight_(strut_.sign * strut_.axis), length_(machine.leg(leg).length)
   {}
 
   const Interval& length() const { return length_; }
-  Interval height(const IntervalVector& p) const { return rootOf(sqr(length_) - squaredNorm(across(p))); }
-  Interval signedJoint(const IntervalVector& p) const { return dot(weight_, p - center_) - height(p); }
+  Interval height(const IntervalVector& p) const { return strut_.sign * stateAt(p).drive; }
+  Interval signedJoint(const IntervalVector& p) const { return strut_.sign * jointOf(strut_, p, stateAt(p)); }
 
-  /// Encloses the largest value over a circle. With the entries of P = I - e e^T, at the angle t
-  /// |q|^2 = |q_0|^2 + 2 r (q_x cos t + q_y sin t) + r^2 (P_xx cos^2 t + 2 P_xy cos t sin t + P_yy sin^2 t).
+  /// Encloses the largest value over a circle.
   Interval largest(Function function, const Circle& circle, double gap) const
   {
-    const Interval& r = circle.radius;
-    const IntervalVector offset = circle.center - center_;
-    const IntervalVector q = projector_ * offset;
-    const Interval half = Interval(0.5) * sqr(r);
-    Trigonometric linear;
-    if (function == Function::SIGNED_JOINT)
-      linear = { dot(weight_, offset), r * weight_[0], r * weight_[1], 0.0, 0.0 };
-    const Trigonometric radicand = { sqr(length_) - squaredNorm(q) - half * (projector_[0][0] + projector_[1][1]),
-                                     Interval(-2.0) * r * q[0], Interval(-2.0) * r * q[1],
-                                     half * (projector_[1][1] - projector_[0][0]), -sqr(r) * projector_[0][1] };
-    return largestOnCircle(linear, radicand, gap);
+    LegState<Trigonometric, TrigonometricVector> state;
+    evaluateAcross(strut_, circle, state);
+    const Trigonometric linear =
+        function == Function::SIGNED_JOINT ? dotOffset(weight_, strut_.center, circle) : Trigonometric();
+    return largestOnCircle(linear, state.squared_drive, gap);
   }
 
   /// Encloses the least height over a ball: that at its point farthest from the rail.
   Interval leastHeight(const IntervalVector& center, const Interval& radius) const
   {
-    return heightAt(length_, norm(across(center)) + radius);
+    return heightAt(length_, distance(center) + radius);
   }
   /// Encloses the largest s rho over a ball: {s rho <= t} is a ball of radius L swept along a ray, and a smaller ball
   /// lies in it exactly when its center lies in one of radius L - r swept along that ray.
   Interval largestJoint(const IntervalVector& center, const Interval& radius) const
   {
-    return dot(weight_, center - center_) - heightAt(length_ - radius, norm(across(center)));
+    return dot(weight_, center - strut_.center) - heightAt(length_ - radius, distance(center));
   }
 
   /// Encloses the least s rho: the least t at which the region comes within the strut's length of c + t w. That
@@ -101,9 +92,9 @@ public:
   Interval leastJoint(const Region& region) const
   {
     const Vector3d w = mid(weight_);
-    const Vector3d c = mid(center_);
+    const Vector3d c = mid(strut_.center);
     const double length = length_.mid();
-    double t = region.leastAlong(enclose(w), center_).lower() - length;
+    double t = region.leastAlong(enclose(w), strut_.center).lower() - length;
     double bound = -INF;
     Vector3d nearest = region.center;
     for (int k = 0; k < STEPS; ++k)
@@ -124,9 +115,9 @@ public:
   Interval largestHeight(const Region& region) const
   {
     const Vector3d w = mid(weight_);
-    const Vector3d c = mid(center_);
-    double low = region.leastAlong(enclose(w), center_).lower();
-    double high = -region.leastAlong(enclose(Vector3d(-w)), center_).lower();
+    const Vector3d c = mid(strut_.center);
+    double low = region.leastAlong(enclose(w), strut_.center).lower();
+    double high = -region.leastAlong(enclose(Vector3d(-w)), strut_.center).lower();
     const auto strutAt = [&](double t) { return Vector3d(region.nearest(c + t * w) - (c + t * w)); };
     for (int k = 0; k < STEPS; ++k)
     {
@@ -140,14 +131,26 @@ public:
   }
 
 private:
-  IntervalVector across(const IntervalVector& p) const { return projector_ * (p - center_); }
+  LegState<Interval, IntervalVector> stateAt(const IntervalVector& p) const
+  {
+    LegState<Interval, IntervalVector> state;
+    evaluate(strut_, p, rootOf, state);
+    return state;
+  }
+  /// |q|.
+  Interval distance(const IntervalVector& p) const
+  {
+    LegState<Interval, IntervalVector> state;
+    evaluateAcross(strut_, p, state);
+    return norm(state.row);
+  }
 
   /// @throws std::domain_error where the radicand is negative
   static Interval rootOf(const Interval& radicand)
   {
     if (radicand.upper() < 0.0)
       throw std::domain_error("joint ranges: a strut does not reach part of the region");
-    return sqrt(Interval(std::max(0.0, radicand.lower()), radicand.upper()));
+    return sqrtAboveZero(radicand);
   }
   /// Encloses sqrt(length^2 - distance^2).
   static Interval heightAt(const Interval& length, const Interval& distance)
@@ -162,18 +165,17 @@ private:
     const Interval along = dot(enclose(n), weight_);
     if (!along.certainlyPositive())
       return -INF;
-    return ((region.leastAlong(enclose(n), center_) - norm(enclose(n)) * length_) / along).lower();
+    return ((region.leastAlong(enclose(n), strut_.center) - norm(enclose(n)) * length_) / along).lower();
   }
   /// Bounds the distance of the region from the rail's line from below: |Pn| |q| >= n . q = (Pn) . (p - c).
   double distanceBound(const Vector3d& n, const Region& region) const
   {
-    const IntervalVector direction = projector_ * enclose(n);
-    const double along = region.leastAlong(direction, center_).lower();
+    const IntervalVector direction = strut_.projector * enclose(n);
+    const double along = region.leastAlong(direction, strut_.center).lower();
     return along > 0.0 ? (Interval(along) / Interval(norm(direction).upper())).lower() : 0.0;
   }
 
-  IntervalVector center_;
-  IntervalMatrix projector_;
+  EnclosedStrut strut_;
   IntervalVector weight_;
   Interval length_;
 };

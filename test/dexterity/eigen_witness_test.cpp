@@ -127,7 +127,7 @@ TEST(LeastEigenpair, ofTheZeroMatrixIsZero)
 {
   const auto pair = eigen::leastEigenpair(Entries{});
   EXPECT_EQ(pair.value, 0.0);
-  EXPECT_EQ(eigen::dot(pair.vector, pair.vector), 1.0);
+  EXPECT_EQ(dot(pair.vector, pair.vector), 1.0);
 }
 
 TEST(LeastEigenpair, ofAPackIsThatOfEachLane)

@@ -109,7 +109,7 @@ TEST_P(AffineVectorContainment, mapOfABoxHoldsThatOfEveryPoint)
     centered.slack = forms.random().once(2) ? forms.error() : 0.0;
     const Vector image = evaluate<Vector>([&] {
       Vector result;
-      mapBox(EnclosedMatrix<double>(m), EnclosedVector<double>(c), centered, result);
+      mapOffset(EnclosedMatrix<double>(m), EnclosedVector<double>(c), centered, result);
       return result;
     });
     for (int i = 0; i < MEMBERS; ++i, forms.move())

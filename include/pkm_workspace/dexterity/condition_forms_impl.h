@@ -9,29 +9,29 @@ namespace pkm_workspace
 {
 /// Floating point. With x an eigenvector of B^-1 A A^T B^-1, u = B^-1 x.
 template <class Real>
-ExtremeFactors<Real> MachineModel<Real>::extremeFactors(const std::array<Real, 3>& radicand,
+ExtremeFactors<Real> MachineModel<Real>::extremeFactors(const std::array<Real, 3>& squared_drive,
                                                         const std::array<Real, 3>& gram) const
 {
   using std::max;
   using std::sqrt;
-  std::array<Real, 3> per_eta;
+  std::array<Real, 3> per_drive;
   for (std::size_t i = 0; i < 3; ++i)
-    per_eta[i] = Real(1) / sqrt(max(radicand[i], Real(1e-12) * legs_[i].squared_length.value));
+    per_drive[i] = Real(1) / sqrt(max(squared_drive[i], Real(1e-12) * squaredRow(i).value));
   eigen::Symmetric<Real> matrix;
   eigen::Symmetric<Real> opposite;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = legs_[i].squared_length.value * per_eta[i] * per_eta[i];
-    matrix[3 + i] = gram[i] * per_eta[(i + 1) % 3] * per_eta[(i + 2) % 3];
+    matrix[i] = squaredRow(i).value * per_drive[i] * per_drive[i];
+    matrix[3 + i] = gram[i] * per_drive[(i + 1) % 3] * per_drive[(i + 2) % 3];
     opposite[i] = -matrix[i];
     opposite[3 + i] = -matrix[3 + i];
   }
   ExtremeFactors<Real> factors{ eigen::leastEigenpair(matrix), {}, eigen::leastEigenpair(opposite) };
   factors.largest.value = -factors.largest.value;
-  factors.middle = eigen::cross(factors.least.vector, factors.largest.vector);
+  factors.middle = cross(factors.least.vector, factors.largest.vector);
   for (std::size_t i = 0; i < 3; ++i)
     for (auto* u : { &factors.least.vector, &factors.middle, &factors.largest.vector })
-      (*u)[i] = (*u)[i] * per_eta[i];
+      (*u)[i] = (*u)[i] * per_drive[i];
   return factors;
 }
 
@@ -50,7 +50,7 @@ AffineForm<Real> MachineModel<Real>::level(const MachineForms<Real>& forms, cons
     Real slope(0);
     for (std::size_t i = 0; i < 3; ++i)
       slope = slope + Real(2) * u[(i + 1) % 3] * u[(i + 2) % 3] * forms.gram[i].gradient[j] -
-              value * u[i] * u[i] * forms.radicand[i].gradient[j];
+              value * u[i] * u[i] * forms.legs[i].squared_drive.gradient[j];
     return slope / value;
   };
   for (std::size_t j = 0; j < 3; ++j)
@@ -63,7 +63,8 @@ AffineForm<Real> MachineModel<Real>::level(const MachineForms<Real>& forms, cons
 template <class Real>
 ExtremeFactors<Real> MachineModel<Real>::extremeFactors(const MachineForms<Real>& forms) const
 {
-  return extremeFactors({ forms.radicand[0].center, forms.radicand[1].center, forms.radicand[2].center },
+  const auto& legs = forms.legs;
+  return extremeFactors({ legs[0].squared_drive.center, legs[1].squared_drive.center, legs[2].squared_drive.center },
                         { forms.gram[0].center, forms.gram[1].center, forms.gram[2].center });
 }
 
@@ -73,7 +74,7 @@ SymmetricForms<Real> MachineModel<Real>::gramMatrix(const MachineForms<Real>& fo
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = matrix[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
+    matrix[i] = matrix[i] + squaredRow(i);
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
@@ -83,12 +84,12 @@ template <class Real>
 void MachineModel<Real>::conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const
 {
   const SymmetricForms<Real> a_a = gramMatrix(forms);
-  const SymmetricForms<Real> b_b = diagonal(forms.radicand);
+  const SymmetricForms<Real> b_b = diagonal(forms.squaredDrives());
   const ExtremeFactors<Real> factors = extremeFactors(forms);
   const AffineForm<Real> t = level(forms, factors);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const AffineForm<Real> scaled = t * forms.radicand[i];
+    const AffineForm<Real> scaled = t * forms.legs[i].squared_drive;
     condition.lower[i] = a_a[i] - scaled;
     condition.upper[i] = kappa_squared_ * scaled - a_a[i];
     condition.lower[3 + i] = a_a[3 + i];

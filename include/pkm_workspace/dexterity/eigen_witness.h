@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/interval/definiteness.h"
 #include "pkm_workspace/interval/pack.h"
+#include "pkm_workspace/interval/plain_vector.h"
 
 namespace pkm_workspace
 {
@@ -20,22 +21,10 @@ struct Eigenpair
 namespace eigen
 {
 template <class Real>
-using Vector = std::array<Real, 3>;
+using Vector = PlainVector<Real>;
 /// Entries 00, 11, 22, 12, 02, 01, as in SymmetricForms.
 template <class Real>
 using Symmetric = std::array<Real, 6>;
-
-template <class Real>
-inline Real dot(const Vector<Real>& a, const Vector<Real>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class Real>
-inline Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /// u^T M v.
 template <class Real>

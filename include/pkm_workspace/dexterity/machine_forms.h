@@ -8,30 +8,29 @@
 #include "pkm_workspace/dexterity/meeting_rails.h"
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/definiteness.h"
+#include "pkm_workspace/machine/leg_kinds.h"
 #include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
 /// Everything the verdicts need to know about a machine over one box, as affine forms (docs/theory.md).
-/// Valid at every point of the box where no radicand is below its floor; reachable holds the radicands themselves
-/// everywhere.
+/// Valid at every point of the box where no b_i^2 is below its floor; b_i^2 itself is valid on the whole box.
 template <class Real>
 struct MachineForms
 {
-  std::array<AffineForm<Real>, 3> radicand;  ///< eta_i^2 = L_i^2 - |q_i|^2 [m^2], valid on the whole box
-  std::array<AffineForm<Real>, 3> eta;       ///< eta_i [m]
-  std::array<AffineVector<Real>, 3> strut;   ///< d_i [m]
-  std::array<AffineForm<Real>, 3> gram;      ///< d_2 . d_3, d_1 . d_3, d_1 . d_2 [m^2]
+  std::array<LegState<AffineForm<Real>, AffineVector<Real>>, 3> legs;
+  std::array<AffineForm<Real>, 3> gram;  ///< n_2 . n_3, n_1 . n_3, n_1 . n_2 [m^2]
+
+  /// B^2, the squares of b_i [m^2].
+  std::array<AffineForm<Real>, 3> squaredDrives() const
+  {
+    return { legs[0].squared_drive, legs[1].squared_drive, legs[2].squared_drive };
+  }
 };
 
-/// The same at one point, in floating point.
+/// The legs at one point, in floating point; b_i is 0 where b_i^2 is negative.
 template <class Real>
-struct MachineNumbers
-{
-  std::array<Real, 3> radicand;              ///< [m^2]
-  std::array<Real, 3> eta;                   ///< [m]; 0 where the radicand is negative
-  std::array<std::array<Real, 3>, 3> strut;  ///< [m]
-};
+using MachineNumbers = std::array<LegState<Real, PlainVector<Real>>, 3>;
 
 /// The eigenvalues psi_1^2 and psi_3^2 of (J J^T)^-1 at one point, in floating point, and vectors u with
 /// A A^T u = psi^2 B^2 u and u^T B^2 u = 1 [1/m].
@@ -78,9 +77,9 @@ public:
   MachineForms<Real> evaluate(const Domain& box) const;
   /// Numbers at the point p [m]: for finding points, not for proving anything.
   MachineNumbers<Real> evaluate(const std::array<Real, 3>& p) const;
-  /// Only L_i^2 - |q_i|^2 for leg i [m^2].
-  AffineForm<Real> radicand(std::size_t leg, const AffineVector<Real>& across) const;
-  /// Where the radicand is below this [m^2] the criterion does not hold: L_i^2 / psi_max^2, rounded down, or 0.
+  /// n_i^2 [m^2].
+  const Enclosed<Real>& squaredRow(std::size_t leg) const;
+  /// Where b_i^2 is below this [m^2] the criterion does not hold: n_i^2 / psi_max^2, rounded down, or 0.
   const Real& floor(std::size_t leg) const { return legs_[leg].floor; }
 
   /// A A^T - mu B^2 [m^2], for a factor - mu.
@@ -91,7 +90,7 @@ public:
   SymmetricForms<Real> upperMatrix(const MachineForms<Real>& forms) const;
   /// A A^T [m^2].
   SymmetricForms<Real> gramMatrix(const MachineForms<Real>& forms) const;
-  /// The extreme transmission factors at delta = 0. @pre no radicand is much smaller there than the squared strut
+  /// The extreme transmission factors at delta = 0. @pre no b_i^2 is much smaller there than n_i^2
   ExtremeFactors<Real> extremeFactors(const MachineForms<Real>& forms) const;
   /// What the bound on the condition number says over the box.
   void conditionForms(const MachineForms<Real>& forms, ConditionForms<Real>& condition) const;
@@ -109,6 +108,8 @@ public:
   AffineForm<Real> joint(std::size_t leg, const MachineForms<Real>& forms, const Domain& box) const;
   /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
   Real margin(const std::array<Real, 3>& p) const;
+  /// The axis along which all rails are known to run, or -1: nothing but joint values changes along it.
+  int axisOfRails() const { return axis_of_rails_; }
   /// Whether leg i has a lower (side = 0) or upper (side = 1) limit that the criterion asks for and that the rest of it
   /// does not imply.
   bool limited(std::size_t leg, int side) const { return legs_[leg].limited[static_cast<std::size_t>(side)]; }
@@ -119,7 +120,7 @@ public:
 private:
   Real limitMargin(std::size_t leg, const MachineNumbers<Real>& at, const std::array<Real, 3>& p) const;
   Real factorMargin(const MachineNumbers<Real>& at) const;
-  ExtremeFactors<Real> extremeFactors(const std::array<Real, 3>& radicand, const std::array<Real, 3>& gram) const;
+  ExtremeFactors<Real> extremeFactors(const std::array<Real, 3>& squared_drive, const std::array<Real, 3>& gram) const;
   AffineForm<Real> level(const MachineForms<Real>& forms, const ExtremeFactors<Real>& factors) const;
 
   template <class>
@@ -127,13 +128,8 @@ private:
 
   struct LegModel
   {
-    EnclosedMatrix<Real> projector;
-    EnclosedMatrix<Real> along;  ///< first row: axis e; its image is e . (p - c)
-    EnclosedVector<Real> center;
-    EnclosedVector<Real> axis;
-    Enclosed<Real> squared_length;
-    Enclosed<Real> minus_squared_length;
-    Enclosed<Real> sign;
+    LegOfForms<Real> forms;
+    PlainLeg<Real> numbers;
     Real floor = Real(0);
     std::array<bool, 2> limited = { false, false };
     std::array<Enclosed<Real>, 2> limit;  ///< -lower and upper [m]
@@ -146,6 +142,7 @@ private:
   Enclosed<Real> minus_psi_min_squared_;
   Enclosed<Real> kappa_squared_;
   Real per_kappa_squared_ = Real(0);  ///< nearly its inverse: only scales
+  int axis_of_rails_ = -1;
   Enclosed<Real> aspect_sign_;
   Real squared_scale_ = Real(1);
 };

@@ -20,21 +20,18 @@ MachineModel<Real>::MachineModel(const Machine& machine, const Criterion& criter
   , aspect_sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
   , squared_scale_(machine.scale() * machine.scale())
 {
+  for (int axis = 0; machine.hasParallelRails() && axis < 3; ++axis)
+    if (abs(machine.leg(0).axis[static_cast<std::size_t>(axis)]) == Interval(1.0))
+      axis_of_rails_ = axis;
   const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
   for (int i = 0; i < 3; ++i)
   {
-    const Leg& leg = machine.leg(i);
+    const EnclosedLeg leg = enclosedLeg(machine, i);
     LegModel& model = legs_[static_cast<std::size_t>(i)];
-    const Interval squared_length = sqr(leg.length);
-    model.projector = EnclosedMatrix<Real>(machine.projector(i));
-    model.along = EnclosedMatrix<Real>(IntervalMatrix{ leg.axis, IntervalVector{}, IntervalVector{} });
-    model.center = EnclosedVector<Real>(machine.center(i));
-    model.axis = EnclosedVector<Real>(leg.axis);
-    model.squared_length = Enclosed<Real>(squared_length);
-    model.minus_squared_length = Enclosed<Real>(-squared_length);
-    model.sign = Enclosed<Real>(Interval(leg.working_mode));
+    model.forms = ofForms<Real>(leg);
+    model.numbers = plain<Real>(model.forms);
     if (criterion.boundsAbove())
-      model.floor = Real((squared_length / sqr(criterion.largestFactor())).lower());
+      model.floor = Real((pkm_workspace::squaredRow(leg) / sqr(criterion.largestFactor())).lower());
     const std::array<double, 2> limit = { -limits[static_cast<std::size_t>(i)].lower(),
                                           limits[static_cast<std::size_t>(i)].upper() };
     for (const std::size_t side : { 0U, 1U })
@@ -54,6 +51,7 @@ MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
   , minus_psi_min_squared_(model.minus_psi_min_squared_)
   , kappa_squared_(model.kappa_squared_)
   , per_kappa_squared_(model.per_kappa_squared_)
+  , axis_of_rails_(model.axis_of_rails_)
   , aspect_sign_(model.aspect_sign_)
   , squared_scale_(model.squared_scale_)
 {
@@ -61,13 +59,8 @@ MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
   {
     const auto& from = model.legs_[i];
     LegModel& to = legs_[i];
-    to.projector = EnclosedMatrix<Real>(from.projector);
-    to.along = EnclosedMatrix<Real>(from.along);
-    to.center = EnclosedVector<Real>(from.center);
-    to.axis = EnclosedVector<Real>(from.axis);
-    to.squared_length = Enclosed<Real>(from.squared_length);
-    to.minus_squared_length = Enclosed<Real>(from.minus_squared_length);
-    to.sign = Enclosed<Real>(from.sign);
+    to.forms = ofForms<Real>(from.forms);
+    to.numbers = plain<Real>(to.forms);
     to.floor = Real(from.floor);
     to.limited = from.limited;
     to.limit = { Enclosed<Real>(from.limit[0]), Enclosed<Real>(from.limit[1]) };
@@ -75,9 +68,9 @@ MachineModel<Real>::MachineModel(const MachineModel<Other>& model)
 }
 
 template <class Real>
-AffineForm<Real> MachineModel<Real>::radicand(std::size_t leg, const AffineVector<Real>& across) const
+const Enclosed<Real>& MachineModel<Real>::squaredRow(std::size_t leg) const
 {
-  return -squaredNorm(across) + legs_[leg].squared_length;
+  return pkm_workspace::squaredRow(legs_[leg].forms);
 }
 
 template <class Real>
@@ -85,18 +78,15 @@ template <class Domain>
 MachineForms<Real> MachineModel<Real>::evaluate(const Domain& box) const
 {
   MachineForms<Real> forms;
+  auto& legs = forms.legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const LegModel& leg = legs_[i];
-    AffineVector<Real>& strut = forms.strut[i];
-    mapBox(leg.projector, leg.center, box, strut);
-    forms.radicand[i] = radicand(i, strut);
-    forms.eta[i] = leg.sign * sqrtAbove(forms.radicand[i], leg.floor);
-    addAlong(strut, forms.eta[i], leg.axis);
+    const auto root = [&floor = legs_[i].floor](const AffineForm<Real>& x) { return sqrtAbove(x, floor); };
+    pkm_workspace::evaluate(legs_[i].forms, box, root, legs[i]);
   }
-  forms.gram[0] = dot(forms.strut[1], forms.strut[2]);
-  forms.gram[1] = dot(forms.strut[0], forms.strut[2]);
-  forms.gram[2] = dot(forms.strut[0], forms.strut[1]);
+  forms.gram[0] = dot(legs[1].row, legs[2].row);
+  forms.gram[1] = dot(legs[0].row, legs[2].row);
+  forms.gram[2] = dot(legs[0].row, legs[1].row);
   return forms;
 }
 
@@ -105,21 +95,11 @@ MachineNumbers<Real> MachineModel<Real>::evaluate(const std::array<Real, 3>& p) 
 {
   using std::max;
   using std::sqrt;
-  MachineNumbers<Real> numbers;
+  MachineNumbers<Real> legs;
   for (std::size_t i = 0; i < 3; ++i)
-  {
-    const LegModel& leg = legs_[i];
-    const std::array<Real, 3> x = { p[0] - leg.center.value[0], p[1] - leg.center.value[1],
-                                    p[2] - leg.center.value[2] };
-    std::array<Real, 3>& d = numbers.strut[i];
-    for (std::size_t k = 0; k < 3; ++k)
-      d[k] = leg.projector.value[k][0] * x[0] + leg.projector.value[k][1] * x[1] + leg.projector.value[k][2] * x[2];
-    numbers.radicand[i] = leg.squared_length.value - eigen::dot(d, d);
-    numbers.eta[i] = leg.sign.value * sqrt(max(numbers.radicand[i], Real(0)));
-    for (std::size_t k = 0; k < 3; ++k)
-      d[k] = d[k] + numbers.eta[i] * leg.axis.value[k];
-  }
-  return numbers;
+    pkm_workspace::evaluate(
+        legs_[i].numbers, p, [](const Real& x) { return sqrt(max(x, Real(0))); }, legs[i]);
+  return legs;
 }
 
 template <class Real>
@@ -130,17 +110,16 @@ Real MachineModel<Real>::margin(const std::array<Real, 3>& p) const
   const MachineNumbers<Real> at = evaluate(p);
   const Real per_square = Real(1) / squared_scale_;
   const Real per_length = sqrt(per_square);
-  Real reach = at.radicand[0] - legs_[0].floor;
+  Real reach = at[0].squared_drive - legs_[0].floor;
   for (std::size_t i = 1; i < 3; ++i)
-    reach = min(reach, at.radicand[i] - legs_[i].floor);
+    reach = min(reach, at[i].squared_drive - legs_[i].floor);
   reach = reach * per_square;
   Real least = reach;
   for (std::size_t i = 0; i < 3; ++i)
     if (legs_[i].limited[0] || legs_[i].limited[1])
       least = min(least, limitMargin(i, at, p) * per_length);
   if (oriented())
-    least = min(least, aspect_sign_.value * eigen::dot(at.strut[0], eigen::cross(at.strut[1], at.strut[2])) *
-                           (per_square * per_length));
+    least = min(least, aspect_sign_.value * dot(at[0].row, cross(at[1].row, at[2].row)) * (per_square * per_length));
   if (criterion_.boundsFactors())
     least = min(least, factorMargin(at));
   return select(reach < Real(0), reach, least);  // beyond reach nothing else has a meaning
@@ -153,8 +132,7 @@ Real MachineModel<Real>::limitMargin(std::size_t leg, const MachineNumbers<Real>
 {
   using std::min;
   const LegModel& model = legs_[leg];
-  const auto& c = model.center.value;
-  const Real rho = eigen::dot(model.along.value[0], { p[0] - c[0], p[1] - c[1], p[2] - c[2] }) - at.eta[leg];
+  const Real rho = jointOf(model.numbers, p, at[leg]);
   const Real above = rho + model.limit[0].value;
   const Real below = model.limit[1].value - rho;
   return !model.limited[1] ? above : !model.limited[0] ? below : min(above, below);
@@ -165,14 +143,13 @@ template <class Real>
 Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
 {
   using std::min;
-  const auto& d = at.strut;
-  const std::array<Real, 3> gram = { eigen::dot(d[1], d[2]), eigen::dot(d[0], d[2]), eigen::dot(d[0], d[1]) };
+  const std::array<Real, 3> gram = { dot(at[1].row, at[2].row), dot(at[0].row, at[2].row), dot(at[0].row, at[1].row) };
   eigen::Symmetric<Real> upper;
   eigen::Symmetric<Real> lower;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    upper[i] = psi_max_squared_.value * at.radicand[i] - legs_[i].squared_length.value;
-    lower[i] = minus_psi_min_squared_.value * at.radicand[i] + legs_[i].squared_length.value;
+    upper[i] = psi_max_squared_.value * at[i].squared_drive - squaredRow(i).value;
+    lower[i] = minus_psi_min_squared_.value * at[i].squared_drive + squaredRow(i).value;
     upper[3 + i] = -gram[i];
     lower[3 + i] = gram[i];
   }
@@ -184,7 +161,8 @@ Real MachineModel<Real>::factorMargin(const MachineNumbers<Real>& at) const
     margin = min(margin, eigen::leastEigenpair(lower).value * per_square);
   if (criterion_.boundsCondition())
   {
-    const ExtremeFactors<Real> factors = extremeFactors(at.radicand, gram);
+    const ExtremeFactors<Real> factors =
+        extremeFactors({ at[0].squared_drive, at[1].squared_drive, at[2].squared_drive }, gram);
     margin = min(margin, factors.least.value - per_kappa_squared_ * factors.largest.value);
   }
   return margin;
@@ -196,7 +174,7 @@ SymmetricForms<Real> MachineModel<Real>::pencil(const MachineForms<Real>& forms,
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = minus_mu * forms.radicand[i] + legs_[i].squared_length;  // |d_i|^2 = L_i^2
+    matrix[i] = minus_mu * forms.legs[i].squared_drive + squaredRow(i);
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
@@ -214,7 +192,7 @@ SymmetricForms<Real> MachineModel<Real>::upperMatrix(const MachineForms<Real>& f
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = psi_max_squared_ * forms.radicand[i] + legs_[i].minus_squared_length;
+    matrix[i] = psi_max_squared_ * forms.legs[i].squared_drive + -squaredRow(i);
     matrix[3 + i] = -forms.gram[i];
   }
   return matrix;
@@ -223,7 +201,7 @@ SymmetricForms<Real> MachineModel<Real>::upperMatrix(const MachineForms<Real>& f
 template <class Real>
 AffineForm<Real> MachineModel<Real>::orientation(const MachineForms<Real>& forms) const
 {
-  return aspect_sign_ * determinant(forms.strut[0], forms.strut[1], forms.strut[2]);
+  return aspect_sign_ * determinant(forms.legs[0].row, forms.legs[1].row, forms.legs[2].row);
 }
 
 /// With w_i = s_i e_i, p counted from o and h_i = |eta_i| + w_i . p, each strut is p + g / h_i w_i, g = L^2 - |p|^2,
@@ -237,15 +215,15 @@ std::array<AffineForm<Real>, 5> MachineModel<Real>::orientationFactors(const Mac
   AffineVector<Real> from_center;
   AffineVector<Real> along;
   AffineVector<Real> across;
-  mapBox(meeting_.identity, meeting_.center, box, from_center);
-  mapBox(meeting_.along, meeting_.center, box, along);
-  mapBox(meeting_.across, meeting_.center, box, across);
+  mapOffset(meeting_.identity, meeting_.center, box, from_center);
+  mapOffset(meeting_.along, meeting_.center, box, along);
+  mapOffset(meeting_.across, meeting_.center, box, across);
   std::array<AffineForm<Real>, 5> factors;
   const AffineForm<Real> gap = -squaredNorm(from_center) + meeting_.squared_length;
   AffineForm<Real> rest = meeting_.volume * gap;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    factors[i] = legs_[i].sign * forms.eta[i] + component(along, i);
+    factors[i] = meeting_.sign[i] * forms.legs[i].drive + component(along, i);
     rest = rest + factors[i] * component(across, i);
   }
   factors[3] = Enclosed<Real>(select(gap.center < Real(0), Real(-1), Real(1)), Real(0)) * gap;
@@ -256,17 +234,14 @@ std::array<AffineForm<Real>, 5> MachineModel<Real>::orientationFactors(const Mac
 template <class Real>
 Enclosed<Real> MachineModel<Real>::orientationAtCenter(const MachineForms<Real>& forms) const
 {
-  return aspect_sign_ * determinantAtCenter(forms.strut[0], forms.strut[1], forms.strut[2]);
+  return aspect_sign_ * determinantAtCenter(forms.legs[0].row, forms.legs[1].row, forms.legs[2].row);
 }
 
 template <class Real>
 template <class Domain>
 AffineForm<Real> MachineModel<Real>::joint(std::size_t leg, const MachineForms<Real>& forms, const Domain& box) const
 {
-  const LegModel& model = legs_[leg];
-  AffineVector<Real> along;
-  mapBox(model.along, model.center, box, along);
-  return component(along, 0) - forms.eta[leg];
+  return jointOf(legs_[leg].forms, box, forms.legs[leg]);
 }
 
 template <class Real>

@@ -11,12 +11,13 @@ template <class Real>
 struct MeetingRails
 {
   bool exist = false;
-  EnclosedVector<Real> center;      ///< o [m]
-  EnclosedMatrix<Real> identity;    ///< its image is p - o
-  EnclosedMatrix<Real> along;       ///< rows w = s e, towards the struts; its image is w . (p - o)
-  EnclosedMatrix<Real> across;      ///< rows w_2 x w_3, w_3 x w_1, w_1 x w_2
-  Enclosed<Real> volume;            ///< det(w_1, w_2, w_3)
-  Enclosed<Real> squared_length{};  ///< L^2 [m^2]
+  EnclosedVector<Real> center;         ///< o [m]
+  EnclosedMatrix<Real> identity;       ///< its image is p - o
+  EnclosedMatrix<Real> along;          ///< rows w = s e, towards the struts; its image is w . (p - o)
+  EnclosedMatrix<Real> across;         ///< rows w_2 x w_3, w_3 x w_1, w_1 x w_2
+  std::array<Enclosed<Real>, 3> sign;  ///< s
+  Enclosed<Real> volume;               ///< det(w_1, w_2, w_3)
+  Enclosed<Real> squared_length{};     ///< L^2 [m^2]
 
   MeetingRails() = default;
 
@@ -29,8 +30,12 @@ struct MeetingRails
     if (!exist)
       return;
     IntervalMatrix w;
-    for (int i = 0; i < 3; ++i)
-      w[static_cast<std::size_t>(i)] = Interval(machine.leg(i).working_mode) * machine.leg(i).axis;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Interval mode(machine.legs()[i].working_mode);
+      w[i] = mode * machine.legs()[i].axis;
+      sign[i] = Enclosed<Real>(mode);
+    }
     const auto unit = [](int axis) { return enclose(Eigen::Vector3d::Unit(axis)); };
     center = EnclosedVector<Real>(enclose(spheres[0].center()));
     identity = EnclosedMatrix<Real>(IntervalMatrix{ unit(0), unit(1), unit(2) });
@@ -48,6 +53,7 @@ struct MeetingRails
     , identity(other.identity)
     , along(other.along)
     , across(other.across)
+    , sign{ Enclosed<Real>(other.sign[0]), Enclosed<Real>(other.sign[1]), Enclosed<Real>(other.sign[2]) }
     , volume(other.volume)
     , squared_length(other.squared_length)
   {}

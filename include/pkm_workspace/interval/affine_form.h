@@ -131,6 +131,13 @@ inline AffineForm<Real> operator+(AffineForm<Real> a, const Enclosed<Real>& s)
   return a;
 }
 
+/// Encloses s - f.
+template <class Real>
+inline AffineForm<Real> operator-(const Enclosed<Real>& s, const AffineForm<Real>& a)
+{
+  return -a + s;
+}
+
 /// Encloses s f.
 template <class Real>
 inline AffineForm<Real> operator*(const Enclosed<Real>& s, const AffineForm<Real>& a)

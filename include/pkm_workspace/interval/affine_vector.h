@@ -95,8 +95,8 @@ inline Real sumOfEdges(const SkewBox<Real>& box)
 /// Encloses M (p - c) for p in the box, in place: copies of packs of vectors cost as much as their arithmetic.
 /// @param box a CenteredBox or a SkewBox
 template <class Real, template <class> class Domain>
-inline void mapBox(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const Domain<Real>& box,
-                   AffineVector<Real>& image)
+inline void mapOffset(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>& c, const Domain<Real>& box,
+                      AffineVector<Real>& image)
 {
   const std::array<Real, 3> x = { box.center[0] - c.value[0], box.center[1] - c.value[1], box.center[2] - c.value[2] };
   for (std::size_t k = 0; k < 3; ++k)
@@ -203,6 +203,16 @@ inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
   form.gradient = v.linear[k];
   form.radius = affine::widened(v.radius + v.along * abs(v.axis[k]), Real(0), 0);
   return form;
+}
+
+/// Encloses a . (p - c) for p in the box. @param rows the first of which is a
+template <class Real, template <class> class Domain>
+inline AffineForm<Real> dotOffset(const EnclosedMatrix<Real>& rows, const EnclosedVector<Real>& c,
+                                  const Domain<Real>& box)
+{
+  AffineVector<Real> image;
+  mapOffset(rows, c, box, image);
+  return component(image, 0);
 }
 
 /// The same at delta = 0 only.

@@ -84,6 +84,8 @@ inline Interval& operator*=(Interval& x, const Interval& y)
 Interval sqr(const Interval& x);
 /// { sqrt(a) : a in x }. The domain is part of the answer: @throws std::domain_error when x reaches below 0
 Interval sqrt(const Interval& x);
+/// { sqrt(max(a, 0)) : a in x }.
+Interval sqrtAboveZero(const Interval& x);
 /// { |a| : a in x }.
 Interval abs(const Interval& x);
 /// { sin(a) : a in x }, { cos(a) : a in x } for a single angle a [rad]; correctly rounded by MPFR.

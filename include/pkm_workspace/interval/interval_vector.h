@@ -85,6 +85,24 @@ inline Interval determinant(const IntervalVector& a, const IntervalVector& b, co
   return dot(a, cross(b, c));
 }
 
+/// Encloses M (p - c).
+inline void mapOffset(const IntervalMatrix& m, const IntervalVector& c, const IntervalVector& p, IntervalVector& image)
+{
+  image = m * (p - c);
+}
+
+/// Encloses a . (p - c).
+inline Interval dotOffset(const IntervalVector& a, const IntervalVector& c, const IntervalVector& p)
+{
+  return dot(a, p - c);
+}
+
+/// Adds f a.
+inline void addAlong(IntervalVector& v, const Interval& f, const IntervalVector& a)
+{
+  v = v + f * a;
+}
+
 inline bool intersects(const IntervalVector& a, const IntervalVector& b)
 {
   return a[0].intersects(b[0]) && a[1].intersects(b[1]) && a[2].intersects(b[2]);
