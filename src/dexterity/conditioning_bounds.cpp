@@ -74,7 +74,7 @@ Interval withinShares(const Interval& x)
 ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box& box)
 {
   const CenteredBox<double> centered(box);
-  const MachineForms<double> forms = model.evaluate(centered);
+  const MachineForms<double> forms = model.legs().evaluate(centered);
   const std::array<Form, 3> b_b = forms.squaredDrives();
   for (const Form& square : b_b)
     if (square.upper() < 0.0)
@@ -82,8 +82,8 @@ ConditioningBounds conditioningOver(const MachineModel<double>& model, const Box
   for (const Form& square : b_b)
     if (!(square.lower() > 0.0))
       return NOTHING;
-  const Matrix a_a = model.gramMatrix(forms);
-  const ExtremeFactors<double> factors = model.extremeFactors(forms);
+  const Matrix a_a = gramMatrix(model.legs(), forms);
+  const ExtremeFactors<double> factors = extremeFactors(model.legs(), forms);
   Form least, largest;
   if (!encloseExtreme(a_a, b_b, factors.largest.vector, true, largest) || !(largest.lower() > 0.0) ||
       !encloseExtreme(a_a, b_b, factors.least.vector, false, least))

@@ -7,74 +7,85 @@
 
 namespace pkm_workspace
 {
-/// Collects what a criterion makes necessary over boxes side by side, for lanes one by one.
+/// Collects what a criterion makes necessary over boxes side by side, for lanes one by one: visits its conditions.
 template <class Real>
 class FormCollector
 {
   using Mask = MaskOf<Real>;
-  using Point = std::array<Real, 3>;
   static constexpr std::size_t W = Real::WIDTH;
 
 public:
-  /// Keeps a reference.
-  explicit FormCollector(const MachineModel<Real>& model) : model_(model)
+  /// @param squared_scale of the machine [m^2]: makes forms to be without unit
+  FormCollector(const Real& squared_scale, NecessaryForms* results, std::size_t count)
+    : results_(results), count_(std::min(count, W))
   {
     int exponent = 0;
-    frexp(model.squaredScale()[0], &exponent);
+    frexp(squared_scale[0], &exponent);
     for (int power = 0; power < 4; ++power)
       per_scale_[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
   }
 
-  void collect(const CenteredBox<Real>& box, NecessaryForms* results, std::size_t count) const
+  void collect(const MachineModel<Real>& model, const CenteredBox<Real>& box)
   {
-    const MachineForms<Real> forms = model_.evaluate(box);
+    const MachineForms<Real> forms = model.legs().evaluate(box);
     Mask violated = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
-      violated = violated | (forms.legs[i].squared_drive.upper() < model_.floor(i));
-    const Criterion& criterion = model_.criterion();
-    begin(results, count, violated);
-    if (criterion.boundsAbove())
-      appendMatrix(model_.upperMatrix(forms), results, count);
-    if (criterion.boundsBelow())
-      appendMatrix(model_.lowerMatrix(forms), results, count);
-    for (std::size_t i = 0; i < 3 && !criterion.boundsAbove(); ++i)
-      append(scaled(forms.legs[i].squared_drive, 2), everywhere(), results, count);
-    if (criterion.boundsCondition())
+      violated = violated | (forms.legs[i].squared_drive.upper() < model.legs().floor(i));
+    for (std::size_t lane = 0; lane < count_; ++lane)
     {
-      ConditionForms<Real> condition;
-      model_.conditionForms(forms, condition);
-      for (const AffineForm<Real>& form : condition.necessary)
-        append(form, everywhere(), results, count);
+      results_[lane].violated = violated[static_cast<int>(lane)];
+      results_[lane].matrices = 0;
+      results_[lane].forms = 0;
     }
-    if (model_.oriented())
-      appendOrientation(forms, results, count);
-    for (std::size_t leg = 0; leg < 3; ++leg)
-      for (int side = 0; side < 2; ++side)
-        if (model_.limited(leg, side))
-          append(scaled(model_.limitMargin(leg, side, forms, box), 1), everywhere(), results, count);
+    model.visit(forms, box, *this);
+  }
+
+  static constexpr bool isSettled() { return false; }
+  static constexpr void sufficient(const SymmetricForms<Real>& /*matrix*/) {}
+
+  void scalar(const Subject& /*subject*/, const AffineForm<Real>& form, int power)
+  {
+    append(scaled(form, power), everywhere());
+  }
+
+  template <class Alternative>
+  void scalarOr(const AffineForm<Real>& form, int power, bool /*exists*/, const Alternative& /*alternative*/)
+  {
+    append(scaled(form, power), everywhere());
+  }
+
+  void necessary(const AffineForm<Real>& form) { append(form, everywhere()); }
+
+  /// The form helps only where its sign is wrong.
+  template <class Form>
+  void oneSigned(const Enclosed<Real>& center, const Form& form, int power)
+  {
+    const Mask useful = center.lower() < Real(0.0);
+    if (any(useful))
+      append(scaled(form(), power), useful);
+  }
+
+  void matrix(SymmetricForms<Real> matrix)
+  {
+    for (AffineForm<Real>& entry : matrix)
+      entry = scaled(entry, 2);
+    for (std::size_t lane = 0; lane < count_; ++lane)
+    {
+      SymmetricForms<double>& result = results_[lane].matrix[results_[lane].matrices++];
+      for (std::size_t entry = 0; entry < 6; ++entry)
+        result[entry] = laneOf(matrix[entry], static_cast<int>(lane));
+    }
+    if constexpr (W == 1)
+      appendPlane(matrix);
+    else
+      append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere());
   }
 
 private:
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
-  void appendMatrix(SymmetricForms<Real> matrix, NecessaryForms* results, std::size_t count) const
-  {
-    for (AffineForm<Real>& entry : matrix)
-      entry = scaled(entry, 2);
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-    {
-      SymmetricForms<double>& result = results[lane].matrix[results[lane].matrices++];
-      for (std::size_t entry = 0; entry < 6; ++entry)
-        result[entry] = laneOf(matrix[entry], static_cast<int>(lane));
-    }
-    if constexpr (W == 1)
-      appendPlane(matrix, results, count);
-    else
-      append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere(), results, count);
-  }
-
   /// The forms for the two least eigenvectors and two between them: no cut of the matrix in doubles could be as exact.
-  void appendPlane(const SymmetricForms<Real>& matrix, NecessaryForms* results, std::size_t count) const
+  void appendPlane(const SymmetricForms<Real>& matrix)
   {
     eigen::Symmetric<Real> center;
     for (std::size_t k = 0; k < 6; ++k)
@@ -82,48 +93,30 @@ private:
     const auto basis = eigen::basisOf(center);
     for (const double share : { 0.0, 1.0, 0.5, -0.5 })
     {
-      const Point v = eigen::combined(Real(1.0 - std::abs(share)), basis.vector[0], Real(share), basis.vector[1]);
-      append(quadraticForm(matrix, v), everywhere(), results, count);
+      const PlainVector<Real> v =
+          eigen::combined(Real(1.0 - std::abs(share)), basis.vector[0], Real(share), basis.vector[1]);
+      append(quadraticForm(matrix, v), everywhere());
     }
   }
 
-  /// Where the sign of det A at one point is the one everywhere its form helps only where it is wrong.
-  void appendOrientation(const MachineForms<Real>& forms, NecessaryForms* results, std::size_t count) const
-  {
-    Mask useful = everywhere();
-    if (model_.criterion().settlesAspect())
-      useful = model_.orientationAtCenter(forms).lower() < Real(0.0);
-    if (any(useful))
-      append(scaled(model_.orientation(forms), 3), useful, results, count);
-  }
-
   /// The form over a power of the machine's scale, to be without unit: powers of two, which round nothing.
-  AffineForm<Real> scaled(const AffineForm<Real>& form, std::size_t power) const
+  AffineForm<Real> scaled(const AffineForm<Real>& form, int power) const
   {
-    const Real factor = per_scale_[power];
+    const Real factor = per_scale_[static_cast<std::size_t>(power)];
     return { form.center * factor,
              { form.gradient[0] * factor, form.gradient[1] * factor, form.gradient[2] * factor },
              form.radius * factor };
   }
 
-  static void begin(NecessaryForms* results, std::size_t count, Mask violated)
+  void append(const AffineForm<Real>& form, Mask useful)
   {
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
-    {
-      results[lane].violated = violated[static_cast<int>(lane)];
-      results[lane].matrices = 0;
-      results[lane].forms = 0;
-    }
-  }
-
-  static void append(const AffineForm<Real>& form, Mask useful, NecessaryForms* results, std::size_t count)
-  {
-    for (std::size_t lane = 0; lane < W && lane < count; ++lane)
+    for (std::size_t lane = 0; lane < count_; ++lane)
       if (useful[static_cast<int>(lane)])
-        results[lane].form[results[lane].forms++] = laneOf(form, static_cast<int>(lane));
+        results_[lane].form[results_[lane].forms++] = laneOf(form, static_cast<int>(lane));
   }
 
-  const MachineModel<Real>& model_;
+  NecessaryForms* results_;
+  std::size_t count_;
   std::array<Real, 4> per_scale_;  ///< powers of about 1 / the longest strut
 };
 }  // namespace pkm_workspace

@@ -16,13 +16,13 @@ void PackKernel<Real>::look(const CurvePiece* pieces, std::size_t count, BoxVerd
   {
     const std::size_t rest = count - first;
     const SkewBox<Real> points = gather<Real>(pieces + first, &CurvePiece::points, rest);
-    const MachineForms<Real> forms = model_.evaluate(points);
-    Question question;
-    const Verdicts found = look(forms, points, question);
+    const MachineForms<Real> forms = model_.legs().evaluate(points);
+    Question<Real> question;
+    const BoxLook<Real> found = look(forms, points, question);
     for (std::size_t lane = 0; lane < W && lane < rest; ++lane)
-      verdicts[first + lane] = verdictOf(found, static_cast<int>(lane));
+      verdicts[first + lane] = found.verdict(static_cast<int>(lane));
     if (motions)
-      scatter(rangesOver(model_, forms, points, gather<Real>(pieces + first, &CurvePiece::tangents, rest)),
+      scatter(rangesOver(model_.legs(), forms, points, gather<Real>(pieces + first, &CurvePiece::tangents, rest)),
               motions + first, rest);
   }
 }

@@ -4,8 +4,8 @@
 // What the machine does over pieces of paths, side by side. For packs only, see box_kernel_impl.h.
 
 #include "pack_gather.h"
-#include "pkm_workspace/dexterity/machine_forms.h"
 #include "pkm_workspace/dexterity/path_piece.h"
+#include "pkm_workspace/dexterity/pencil_forms.h"
 #include "pkm_workspace/interval/pencil_bounds.h"
 
 namespace pkm_workspace
@@ -31,11 +31,11 @@ inline AffineVector<Real> asVector(const SkewBox<Real>& box)
 
 /// Encloses the transmission factors: sigma = psi^2 are the eigenvalues of the pencil A A^T - sigma B^2.
 template <class Real>
-inline std::array<Span<Real>, 3> factorsOver(const MachineModel<Real>& model, const MachineForms<Real>& forms)
+inline std::array<Span<Real>, 3> factorsOver(const LegModels<Real>& legs, const MachineForms<Real>& forms)
 {
   using std::max;
   using std::sqrt;
-  const SymmetricForms<Real> gram = model.pencil(forms, Enclosed<Real>(Real(0), Real(0)));
+  const SymmetricForms<Real> gram = pencilForms(legs, forms, Enclosed<Real>(Real(0), Real(0)));
   SymmetricForms<Real> squares;
   std::array<Real, 3> inverse;
   for (std::size_t i = 0; i < 3; ++i)
@@ -78,19 +78,19 @@ inline Real largestQuotient(const AffineForm<Real>& f, const AffineForm<Real>& g
 
 /// All numbers where a radicand is not proved to be above its floor, and positive, on the whole piece.
 template <class Real>
-inline PieceRanges<Real> rangesOver(const MachineModel<Real>& model, const MachineForms<Real>& forms,
+inline PieceRanges<Real> rangesOver(const LegModels<Real>& legs, const MachineForms<Real>& forms,
                                     const SkewBox<Real>& points, const SkewBox<Real>& tangent)
 {
   const Real infinite(std::numeric_limits<double>::infinity());
   MaskOf<Real> reaches = Real(1.0) > Real(0.0);
   for (std::size_t i = 0; i < 3; ++i)
-    reaches = reaches & (forms.legs[i].squared_drive.lower() > max(model.floor(i), Real(0.0)));
+    reaches = reaches & (forms.legs[i].squared_drive.lower() > max(legs.floor(i), Real(0.0)));
   PieceRanges<Real> ranges;
-  ranges.psi = factorsOver(model, forms);
+  ranges.psi = factorsOver(legs, forms);
   const AffineVector<Real> direction = asVector(tangent);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const AffineForm<Real> rho = model.joint(i, forms, points);
+    const AffineForm<Real> rho = legs.joint(i, forms, points);
     ranges.psi[i] = { select(reaches, ranges.psi[i].lower, Real(0.0)), select(reaches, ranges.psi[i].upper, infinite) };
     ranges.joint[i] = { select(reaches, rho.lower(), -infinite), select(reaches, rho.upper(), infinite) };
     ranges.speed[i] =

@@ -51,21 +51,39 @@ std::optional<MachineModel<double>> sureModel(const Machine& machine, const Crit
   return MachineModel<double>(Machine(machine.name(), legs, machine.zero()), criterion);
 }
 
-/// One look at a box as a whole.
+bool isJointLimit(ConditionKind kind)
+{
+  return kind == ConditionKind::JOINT_LOWER || kind == ConditionKind::JOINT_UPPER;
+}
+
+/// One look at a box as a whole: visits what points that may count satisfy, but for the sign of the measure.
 struct Look
 {
   bool empty;    ///< no point of it counts
   bool inside;   ///< every point counts, up to the sign of the measure
   Form measure;  ///< [m^2] or [m^3]; valid where all struts reach
+  std::size_t which;
 
-  void exclude(const Form& form) { empty = empty || form.upper() < 0.0; }
-  void require(const Form& form) { inside = inside && form.lower() >= 0.0; }
-  void ask(const Form& form, bool is_measure)
+  bool isMeasure(const Subject& subject) const
   {
-    exclude(form);
-    if (!is_measure)
+    return which == PARALLEL ? subject.kind == ConditionKind::ASPECT
+                             : subject.kind == ConditionKind::REACH && subject.leg == which;
+  }
+  void require(const Form& form) { inside = inside && form.lower() >= 0.0; }
+  void scalar(const Subject& subject, const Form& form, int /*power*/)
+  {
+    empty = empty || form.upper() < 0.0;
+    if (!isMeasure(subject) && !isJointLimit(subject.kind))
       require(form);
   }
+};
+
+/// The same look at the limits within which points count for certain.
+struct SureLook
+{
+  Look& look;
+
+  void scalar(const Subject& /*subject*/, const Form& form, int /*power*/) { look.require(form); }
 };
 
 /// The least value of one measure.
@@ -80,7 +98,7 @@ public:
     , query_(query)
     , measure_(measure)
     , spheres_(spheres)
-    , two_sided_(measure == PARALLEL && !model.oriented())
+    , two_sided_(measure == PARALLEL && !model.condition<AspectSign>().isAsked())
     , budget_(query.budget)
   {}
 
@@ -121,23 +139,16 @@ private:
   Look look(const Box& box) const
   {
     const CenteredBox<double> centered(box);
-    const MachineForms<double> forms = model_.evaluate(centered);
+    const MachineForms<double> forms = model_.legs().evaluate(centered);
     const BoxVerdict part = query_.part ? query_.part(box) : BoxVerdict::INSIDE;
     Look look{ part == BoxVerdict::OUTSIDE, sure_ && part == BoxVerdict::INSIDE,
-               measure_ == PARALLEL ? model_.orientation(forms) : forms.legs[measure_].squared_drive };
-    for (std::size_t leg = 0; leg < 3; ++leg)
-    {
-      look.ask(forms.legs[leg].squared_drive, leg == measure_);
-      for (const int side : { 0, 1 })
-      {
-        if (model_.limited(leg, side))
-          look.exclude(model_.limitMargin(leg, side, forms, centered));
-        if (sure_ && sure_->limited(leg, side))
-          look.require(sure_->limitMargin(leg, side, forms, centered));
-      }
-    }
-    if (model_.oriented())
-      look.ask(model_.orientation(forms), measure_ == PARALLEL);
+               measure_ == PARALLEL ? model_.condition<AspectSign>().form(forms) : forms.legs[measure_].squared_drive,
+               measure_ };
+    model_.visitScalars(forms, centered, look);
+    SureLook sure_look{ look };
+    if (sure_)
+      sure_->condition<JointLimits>().visit(Place<double, CenteredBox<double>>{ sure_->legs(), forms, centered },
+                                            sure_look);
     return look;
   }
 
@@ -217,7 +228,7 @@ private:
     const auto at = [this](const Vector3d& point) { return look({ point, point }).measure; };
     if (!(at(low).upper() <= 0.0 && at(high).lower() >= 0.0))
       return std::nullopt;
-    narrowZero(low, high, FINE * std::sqrt(model_.squaredScale()), [&at](const Vector3d& point) {
+    narrowZero(low, high, FINE * std::sqrt(model_.legs().squaredScale()), [&at](const Vector3d& point) {
       const Form value = at(point);
       return value.upper() <= 0.0 ? -1 : value.lower() >= 0.0 ? 1 : 0;
     });

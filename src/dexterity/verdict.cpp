@@ -3,6 +3,7 @@
 
 namespace pkm_workspace
 {
+template class LegModels<double>;
 template class MachineModel<double>;
 
 namespace
@@ -14,7 +15,7 @@ constexpr double LEAST_WIDTH = 1e-13;
 BoxTest::BoxTest(const Machine& machine, const Criterion& criterion, Precision precision)
   : model_(machine, criterion), kernel_(std::move(boxKernels(model_).front())), scale_(machine.scale())
 {
-  if (model_.oriented() && !criterion.settlesAspect())
+  if (model_.condition<AspectSign>().isAsked() && !criterion.settlesAspect())
     spheres_ = strutSpheres(machine);
   if (precision == Precision::MULTIPLE)
     precise_kernel_ = preciseKernel(machine, criterion);

@@ -28,11 +28,16 @@ Interval withinShares(const Interval& x)
 /// The share of a box at which all conditions hold, so far.
 struct Share
 {
-  double lower = 1.0;  ///< 1 - the sum of what each condition may cut off
-  double upper = 1.0;  ///< the least of what each one may leave
+  const std::array<Interval, 3> deviation;  ///< of delta from where the box has it
+  double lower = 1.0;                       ///< 1 - the sum of what each condition may cut off
+  double upper = 1.0;                       ///< the least of what each one may leave
 
-  void ask(const Form& form)
+  void scalar(const Subject& /*subject*/, Form form, int /*power*/)
   {
+    Interval radius(form.radius);
+    for (std::size_t j = 0; j < 3; ++j)
+      radius += Interval(std::abs(form.gradient[j])) * deviation[j];
+    form.radius = radius.upper();
     if (form.lower() >= 0.0)
       return;
     const Interval error(form.radius);
@@ -47,25 +52,8 @@ struct Share
 Interval shareOfSet(const MachineModel<double>& model, const Box& box)
 {
   const CenteredBox<double> centered(box);
-  const MachineForms<double> forms = model.evaluate(centered);
-  const std::array<Interval, 3> deviation = deviations(box, centered);
-  Share share;
-  const auto ask = [&](AffineForm<double> form) {
-    Interval radius(form.radius);
-    for (std::size_t j = 0; j < 3; ++j)
-      radius += Interval(std::abs(form.gradient[j])) * deviation[j];
-    form.radius = radius.upper();
-    share.ask(form);
-  };
-  for (std::size_t leg = 0; leg < 3; ++leg)
-  {
-    ask(forms.legs[leg].squared_drive);
-    for (const int side : { 0, 1 })
-      if (model.limited(leg, side))
-        ask(model.limitMargin(leg, side, forms, centered));
-  }
-  if (model.oriented())
-    ask(model.orientation(forms));
+  Share share{ deviations(box, centered) };
+  model.visitScalars(model.legs().evaluate(centered), centered, share);
   return { std::min(share.lower, share.upper), share.upper };
 }
 /// The slopes that are not nearly flat, as magnitudes.

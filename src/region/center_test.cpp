@@ -38,7 +38,7 @@ bool CenterTest::addTravel(const Box& places, double size)
 {
   travel_forms_.clear();
   travel_->addForms(places, size, witnesses_.ofShape(), travel_forms_);
-  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().squaredScale()));
+  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
   return std::any_of(travel_forms_.begin(), travel_forms_.end(),
                      [&](const AffineForm<double>& form) { return add(per_length * form); });
 }
@@ -147,7 +147,7 @@ bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kern
   programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
   room_ = ROOM;
   const CenteredBox<double> box(centers);
-  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().squaredScale()));
+  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
     const auto avoidance = shape_.avoidance(point, centers, size);

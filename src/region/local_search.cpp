@@ -24,7 +24,7 @@ LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessP
   , witnesses_(witnesses)
   , centers_(centers)
   , travel_(travel)
-  , scale_(std::sqrt(test.model().squaredScale()))
+  , scale_(std::sqrt(test.model().legs().squaredScale()))
   , reach_(shape.halfExtents().maxCoeff())
 {}
 

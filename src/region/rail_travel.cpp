@@ -130,16 +130,18 @@ void RailTravel::addForms(const Box& places, double size, const std::vector<Vect
     return;
   addSearchBox(places, forms);
   const CenteredBox<double> box(places);
+  const JointLimits<double>& limits = model_.condition<JointLimits>();
   for (const Vector3d& k : points)
   {
     const CenteredBox<double> moved = box.moved(size, k);
-    const MachineForms<double> machine = model_.evaluate(moved);
+    const MachineForms<double> machine = model_.legs().evaluate(moved);
+    const Place<double, CenteredBox<double>> place{ model_.legs(), machine, moved };
     for (int leg = 0; leg < 3; ++leg)
       for (const int side : { 0, 1 })
       {
-        if (!model_.limited(static_cast<std::size_t>(leg), side))
+        if (!limits.limited(static_cast<std::size_t>(leg), side))
           continue;
-        AffineForm<double> form = model_.limitMargin(static_cast<std::size_t>(leg), side, machine, moved);
+        AffineForm<double> form = limits.form(static_cast<std::size_t>(leg), side, place);
         form.gradient[static_cast<std::size_t>(axis_)] = (side == 0 ? sense(leg) : -sense(leg)) * reach_;
         forms.push_back(form);
       }

@@ -144,7 +144,8 @@ TEST(JointLimits, leftOutAreNoFormOfTheModel)
   const MachineModel<double> model(Machine("one limit binds", legs, Vector3d::Zero()), criterion);
   for (std::size_t leg = 0; leg < 3; ++leg)
     for (const int side : { 0, 1 })
-      EXPECT_EQ(model.limited(leg, side), leg == 1 && side == 0) << "leg " << leg << ", side " << side;
+      EXPECT_EQ(model.condition<JointLimits>().limited(leg, side), leg == 1 && side == 0)
+          << "leg " << leg << ", side " << side;
   EXPECT_TRUE(model.criterion().joint_limits);
 }
 }  // namespace test

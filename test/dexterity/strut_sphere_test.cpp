@@ -172,14 +172,14 @@ TEST(StrutSphere, factorsOfTheDeterminant)
   for (const Machine& machine : withMeetingRails())
   {
     const MachineModel<double> model(machine, reachable());
-    ASSERT_TRUE(model.railsMeet()) << machine.name();
+    ASSERT_TRUE(model.condition<AspectSign>().railsMeet()) << machine.name();
     Criterion within_reach = reachable();
     within_reach.aspect = Criterion::Aspect::BOTH;
     const test::Oracle oracle(machine, within_reach);
     int reached = 0;
     const auto factorsOver = [&model](const Box& box) {
       const CenteredBox<double> there(box);
-      return model.orientationFactors(model.evaluate(there), there);
+      return model.condition<AspectSign>().factors(model.legs().evaluate(there), there);
     };
     for (int k = 0; k < test::cases(200); ++k)
     {
@@ -191,7 +191,7 @@ TEST(StrutSphere, factorsOfTheDeterminant)
       ++reached;
       const auto wide = factorsOver(box);
       const auto f = factorsOver({ point, point });
-      const double det = model.orientation(model.evaluate(there)).center;
+      const double det = model.condition<AspectSign>().form(model.legs().evaluate(there)).center;
       EXPECT_NEAR(det * f[0].center * f[1].center * f[2].center, f[3].center * f[3].center * f[4].center, 1e-13)
           << machine.name() << ", seed " << SEED << ", point " << point.transpose();
       for (const std::size_t i : { 0U, 1U, 2U, 4U })
@@ -244,7 +244,7 @@ TEST(StrutSphere, insideNextToItHolds)
 
 TEST(StrutSphere, railsThatMissEachOtherHaveNone)
 {
-  EXPECT_FALSE(MachineModel<double>(uranesx(), reachable()).railsMeet());
-  EXPECT_FALSE(MachineModel<double>(test::crooked(1), reachable()).railsMeet());
+  EXPECT_FALSE(MachineModel<double>(uranesx(), reachable()).condition<AspectSign>().railsMeet());
+  EXPECT_FALSE(MachineModel<double>(test::crooked(1), reachable()).condition<AspectSign>().railsMeet());
 }
 }  // namespace pkm_workspace

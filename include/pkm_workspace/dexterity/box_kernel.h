@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/dexterity/path_piece.h"
 #include "pkm_workspace/interval/half_space.h"
 

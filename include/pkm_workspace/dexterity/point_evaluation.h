@@ -11,18 +11,7 @@ namespace pkm_workspace
 /// One of the conditions that a criterion is made of, at one tool point.
 struct Limit
 {
-  enum class Kind
-  {
-    REACH,        ///< |q|, the strut's offset across its rail, is at most its length [m]
-    JOINT_LOWER,  ///< rho is at least its lower limit [m]
-    JOINT_UPPER,  ///< rho is at most its upper limit [m]
-    ASPECT,       ///< det A over the struts' lengths has the sign asked for
-    PSI_MIN,      ///< the least velocity transmission factor
-    PSI_MAX,      ///< the largest velocity transmission factor
-    FORCE_MIN,    ///< the least force transmission factor
-    FORCE_MAX,    ///< the largest force transmission factor
-    KAPPA_MAX     ///< the condition number of J
-  };
+  using Kind = ConditionKind;
 
   Kind kind = Kind::REACH;
   int leg = -1;           ///< 0, 1, 2; -1 where the condition is about all legs

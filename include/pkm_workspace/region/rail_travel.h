@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/interval/affine_form.h"
 #include "pkm_workspace/machine/machine.h"
 #include "pkm_workspace/region/largest_region.h"

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "pkm_workspace/dexterity/machine_forms.h"
+
+namespace pkm_workspace
+{
+/// The kinds of conditions, as answers name them.
+enum class ConditionKind
+{
+  REACH,        ///< |q|, the strut's offset across its rail, is at most its length [m]
+  JOINT_LOWER,  ///< rho is at least its lower limit [m]
+  JOINT_UPPER,  ///< rho is at most its upper limit [m]
+  ASPECT,       ///< det A over the struts' lengths has the sign asked for
+  PSI_MIN,      ///< the least velocity transmission factor
+  PSI_MAX,      ///< the largest velocity transmission factor
+  FORCE_MIN,    ///< the least force transmission factor
+  FORCE_MAX,    ///< the largest force transmission factor
+  KAPPA_MAX     ///< the condition number of J
+};
+
+/// What a form is about.
+struct Subject
+{
+  ConditionKind kind;
+  std::size_t leg = 0;  ///< where the condition is about one leg
+};
+
+/// Where a box may lie, for conditions to ask about it.
+template <class Real, class Box>
+struct Place
+{
+  const LegModels<Real>& legs;
+  const MachineForms<Real>& forms;
+  const Box& box;
+};
+
+/// A point, in floating point.
+template <class Real>
+struct NearPlace
+{
+  const LegModels<Real>& legs;
+  const MachineNumbers<Real>& at;
+  const PlainVector<Real>& p;
+  Real per_length;  ///< 1 over the longest strut [1/m]
+  Real per_square;  ///< its square
+};
+
+/// The margin of what is not asked for.
+constexpr double NO_MARGIN = 1e300;
+
+// Each file of conditions/ defines one condition of a criterion (docs/theory.md): a class template over the type of
+// number, made of a machine and a criterion, or of itself in another type of number, with two functions.
+//
+//   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for:
+//     scalar(subject, form, power)      the condition holds where the form, in m^power, is not negative
+//     matrix(form)                      it holds where the matrix [m^2] is positive semidefinite
+//     sufficient(form)                  it holds there, and may hold elsewhere
+//     necessary(form)                   it holds nowhere where the form is negative
+//     oneSigned(at_center, form(), power)  the form has no zero where the other conditions hold
+//     scalarOr(form, power, exist, alternative())  as scalar; or all of the alternative forms are positive
+//   margin(place)  how far the point is within the condition, without unit, in floating point
+}  // namespace pkm_workspace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tuple>
+
+#include "pkm_workspace/dexterity/conditions/aspect_sign.h"
+#include "pkm_workspace/dexterity/conditions/condition_number.h"
+#include "pkm_workspace/dexterity/conditions/joint_limits.h"
+#include "pkm_workspace/dexterity/conditions/largest_factor.h"
+#include "pkm_workspace/dexterity/conditions/least_factor.h"
+#include "pkm_workspace/dexterity/conditions/reach.h"
+
+namespace pkm_workspace
+{
+/// The conditions of a criterion, in the order in which they are looked at: what costs least first. A new one is a file
+/// of conditions/ and an entry here.
+template <class Real>
+using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, LargestFactor<Real>, LeastFactor<Real>,
+                              ConditionNumber<Real>, AspectSign<Real>>;
+
+/// A machine and a criterion, prepared for the evaluation of boxes. Real is double, a pack of doubles or a
+/// multi-precision type. Thread-safe: constant after construction.
+template <class Real>
+class MachineModel
+{
+public:
+  /// @throws std::invalid_argument when the criterion is not valid
+  MachineModel(const Machine& machine, const Criterion& criterion)
+    : criterion_(validated(criterion))
+    , legs_(machine, criterion.boundsAbove() ? std::make_optional(criterion.largestFactor()) : std::nullopt)
+    , conditions_(makeConditions(machine, criterion, static_cast<Conditions<Real>*>(nullptr)))
+  {
+    for (std::size_t axis = 0; machine.hasParallelRails() && axis < 3; ++axis)
+      if (abs(machine.leg(0).axis[axis]) == Interval(1.0))
+        axis_of_rails_ = static_cast<int>(axis);
+  }
+
+  /// The same for another type of number.
+  template <class Other>
+  explicit MachineModel(const MachineModel<Other>& model)
+    : criterion_(model.criterion_)
+    , legs_(model.legs_)
+    , conditions_(model.conditions_)
+    , axis_of_rails_(model.axis_of_rails_)
+  {}
+
+  const Criterion& criterion() const { return criterion_; }
+  const LegModels<Real>& legs() const { return legs_; }
+  template <template <class> class Condition>
+  const Condition<Real>& condition() const
+  {
+    return std::get<Condition<Real>>(conditions_);
+  }
+  /// The axis along which all rails are known to run, or -1: nothing but joint values changes along it.
+  int axisOfRails() const { return axis_of_rails_; }
+
+  /// Tells the visitor the forms of all conditions over the box, until it is settled.
+  template <class Domain, class Visitor>
+  void visit(const MachineForms<Real>& forms, const Domain& box, Visitor& visitor) const
+  {
+    const Place<Real, Domain> place{ legs_, forms, box };
+    std::apply(
+        [&](const auto&... condition) {
+          static_cast<void>((... && (condition.visit(place, visitor), !visitor.isSettled())));
+        },
+        conditions_);
+  }
+
+  /// The same for a criterion that bounds no factors: what it asks for are single forms.
+  template <class Domain, class Visitor>
+  void visitScalars(const MachineForms<Real>& forms, const Domain& box, Visitor& visitor) const
+  {
+    const Place<Real, Domain> place{ legs_, forms, box };
+    condition<Reach>().visit(place, visitor);
+    condition<JointLimits>().visit(place, visitor);
+    condition<AspectSign>().visitScalar(place, visitor);
+  }
+
+  /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
+  Real margin(const PlainVector<Real>& p) const
+  {
+    using std::min;
+    using std::sqrt;
+    const MachineNumbers<Real> at = legs_.evaluate(p);
+    const Real per_square = Real(1) / legs_.squaredScale();
+    const NearPlace<Real> place{ legs_, at, p, sqrt(per_square), per_square };
+    const Real reach = condition<Reach>().margin(place);
+    Real least = reach;
+    std::apply([&](const auto&... condition) { ((least = min(least, condition.margin(place))), ...); }, conditions_);
+    return select(reach < Real(0), reach, least);  // beyond reach nothing else has a meaning
+  }
+
+private:
+  template <class>
+  friend class MachineModel;
+
+  template <class... Each>
+  static Conditions<Real> makeConditions(const Machine& machine, const Criterion& criterion, std::tuple<Each...>*)
+  {
+    return { Each(machine, criterion)... };
+  }
+
+  Criterion criterion_;
+  LegModels<Real> legs_;
+  Conditions<Real> conditions_;
+  int axis_of_rails_ = -1;
+};
+
+// Once only: what is compiled for one instruction set must not be what the linker keeps for all.
+extern template class LegModels<double>;
+extern template class MachineModel<double>;
+}  // namespace pkm_workspace
