@@ -48,7 +48,7 @@ namespace affine
 /// Adds to a radius what @p operations roundings on numbers of at most @p magnitude can cost, its own summation
 /// included.
 template <class Real>
-inline Real widened(Real radius, Real magnitude, int operations)
+[[gnu::always_inline]] inline Real widened(Real radius, Real magnitude, int operations)
 {
   const Real unit = rounding::roundoff<Real>();
   return radius * (Real(1) + Real(32) * unit) + Real(operations) * unit * magnitude + rounding::underflow<Real>();
