@@ -156,7 +156,7 @@ private:
     for (const double side : shape.dimensions(size))
       sides.push_back(roundedDown(side, decimals));
     const char* const of_round = sides.size() == 1 ? ", the radius" : ", height x radius";
-    return joined(sides, " x ") + " m" + (shape.isPolytope() ? "" : of_round);
+    return joined(sides, " x ") + " m" + (shape.isBox() ? "" : of_round);
   }
 
   MachineOptions machine_;

@@ -41,7 +41,7 @@ public:
     return corners;
   }
 
-  bool isPolytope() const override { return true; }
+  bool isBox() const override { return true; }
   HalfSpace halfSpace(const Box&, const Eigen::Vector3d&, double) const override { return {}; }
 
   bool misses(const Box& box, const Eigen::Vector3d& center, double size) const override

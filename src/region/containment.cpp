@@ -60,9 +60,9 @@ Cut cutOff(const Box& part, const AffineForm<double>& form)
 
 /// The axis of a cylinder along parallel rails, or -1. Nothing but joint values changes along it, and these in
 /// proportion, so that parts need not be divided there.
-int wholeAxis(const BoxTest& test, const Shape& shape, double size)
+int wholeAxis(const BoxTest& test, const Shape& shape)
 {
-  return !shape.isPolytope() && !shape.ballRadius(size) && test.model().axisOfRails() == 2 ? 2 : -1;
+  return shape.isPrism() && !shape.isBox() && test.model().axisOfRails() == 2 ? 2 : -1;
 }
 
 /// Subdivides one region; looks for a bad point wherever the margin is the least so far.
@@ -78,7 +78,7 @@ public:
     , shape_(shape)
     , center_(center)
     , size_(size)
-    , whole_axis_(wholeAxis(test, shape, size))
+    , whole_axis_(wholeAxis(test, shape))
   {}
 
   ContainmentResult run()
@@ -124,7 +124,7 @@ private:
   }
 
   /// Looks within half-spaces leave the aspect open; the region is connected, so that its center settles it.
-  bool aspectIsRight() const { return shape_.isPolytope() || test_.classify(center_) == BoxVerdict::INSIDE; }
+  bool aspectIsRight() const { return shape_.isBox() || test_.classify(center_) == BoxVerdict::INSIDE; }
 
   bool refuteAtExtremes()
   {
@@ -136,7 +136,7 @@ private:
     return refute(center_ + size_ * extremes[static_cast<std::size_t>(worst - margins.begin())], *worst);
   }
 
-  bool becomesLong() { return !is_long_ && !shape_.isPolytope() && (is_long_ = result_.boxes >= LONG_PROOF); }
+  bool becomesLong() { return !is_long_ && !shape_.isBox() && (is_long_ = result_.boxes >= LONG_PROOF); }
 
   bool refuteAtSpheres()
   {
@@ -175,15 +175,15 @@ private:
     std::array<BoxVerdict, BATCH> verdicts;
     std::array<AffineForm<double>, BATCH> worst;
     std::array<HalfSpace, BATCH> within;
-    if (!shape_.isPolytope())
+    if (!shape_.isBox())
       std::transform(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count), within.begin(),
                      [&](const Box& part) { return shape_.halfSpace(part, center_, size_); });
     test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data(),
-                            shape_.isPolytope() ? nullptr : within.data());
+                            shape_.isBox() ? nullptr : within.data());
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] == BoxVerdict::UNDECIDED)
         if (const BoxKernel* finer = test_.finerKernel(parts[k]))
-          finer->classify(&parts[k], 1, &verdicts[k], &worst[k], shape_.isPolytope() ? nullptr : &within[k]);
+          finer->classify(&parts[k], 1, &verdicts[k], &worst[k], shape_.isBox() ? nullptr : &within[k]);
     result_.boxes += static_cast<std::int64_t>(count);
     for (std::size_t k = 0; k < count; ++k)
       if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))

@@ -26,7 +26,7 @@ Incumbent::Incumbent(const BoxTest& test, const RegionQuery& query, const Runnin
 
 std::int64_t Incumbent::allowedBoxes(double size) const
 {
-  const bool may_be_long = !query_.shape->isPolytope() && size < given_up_ - LESS * query_.accuracy;
+  const bool may_be_long = !query_.shape->isBox() && size < given_up_ - LESS * query_.accuracy;
   return std::min(may_be_long ? ROUND_VERIFICATION_BOXES : VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
 }
 

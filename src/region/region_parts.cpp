@@ -42,7 +42,7 @@ Interval overhang(const Shape& shape, const Box& bounds, double size)
   }
   return sum;
 }
-/// Of a polytope that is a box; of a flat one, the area.
+/// Of a box; of a flat one, the area.
 Interval measureOf(const Shape& shape, double size)
 {
   Interval measure(1.0);
@@ -68,7 +68,7 @@ GlobalConditioning globalConditioning(const Machine& machine, const Shape& shape
   validatePositive("size", size, "m", problems);
   throwProblems(problems);
   const Box bounds = shape.boundingBox(center, size);
-  if (!shape.isPolytope())
+  if (!shape.isBox())
   {
     const BoxClassifier part = [&](const Box& box) { return partOf(shape, center, size, box); };
     return globalConditioning(machine, part, bounds, query);

@@ -28,7 +28,7 @@ public:
   std::string name() const override { return name_; }
   std::string sizeMeaning() const override { return size_meaning_; }
   Vector3d halfExtents() const override { return { radius_, radius_, round_ == 3 ? radius_ : half_height_ }; }
-  bool isPolytope() const override { return false; }
+  bool isPrism() const override { return round_ == 2; }
 
   /// Directions to the faces, edges and corners of a cube.
   std::vector<Vector3d> extremePoints() const override

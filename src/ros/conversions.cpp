@@ -93,7 +93,7 @@ std::uint8_t constantOf(LargestRegion::Status status)
 
 std::uint8_t solidType(const Shape& shape)
 {
-  if (shape.isPolytope())
+  if (shape.isBox())
     return shape_msgs::SolidPrimitive::BOX;
   return shape.dimensions(1.0).size() == 1 ? shape_msgs::SolidPrimitive::SPHERE : shape_msgs::SolidPrimitive::CYLINDER;
 }

@@ -43,7 +43,7 @@ TEST(RegionConditioning, holdsTheMeanOverRandomPointsOfEveryShape)
        { makeCube(), makeSquare(), makeBox({ 1.0, 2.0, 0.5 }), makeSphere(), makeDisc(), makeCylinder(0.5) })
   {
     const GlobalConditioning result = globalConditioning(machine, *shape, center, 0.25, query);
-    const double mean = sampledIndex(machine, *shape, center, 0.25 * (shape->isPolytope() ? 1.0 - 1e-9 : 1.0));
+    const double mean = sampledIndex(machine, *shape, center, 0.25 * (shape->isBox() ? 1.0 - 1e-9 : 1.0));
     EXPECT_TRUE(result.complete) << shape->name();
     EXPECT_LE(result.index.lower(), mean + 0.005) << shape->name();
     EXPECT_GE(result.index.upper(), mean - 0.005) << shape->name();

@@ -33,10 +33,13 @@ public:
   virtual std::string sizeMeaning() const = 0;
   /// K lies within these distances of the origin along the axes; 0 where it has no thickness.
   virtual Eigen::Vector3d halfExtents() const = 0;
-  /// Points of K, exactly in K, at which a region that is too large sticks out first.
+  /// Points of K, exactly in K, at which a region that is too large sticks out first. K is their convex hull where it
+  /// has neither extremeCircles() nor a ballRadius().
   virtual std::vector<Eigen::Vector3d> extremePoints() const = 0;
-  /// Whether K is the convex hull of these.
-  virtual bool isPolytope() const = 0;
+  /// Whether K is all of { x : |x_j| <= halfExtents_j }, so that c + h K needs no half-spaces within its bounding box.
+  virtual bool isBox() const { return false; }
+  /// Whether K holds with a point all that lie straight above and below it within halfExtents_z.
+  virtual bool isPrism() const { return isBox(); }
   /// The smallest box of doubles that contains c + h K, whose half extents are doubles.
   Box boundingBox(const Eigen::Vector3d& center, double size) const;
   /// Circles that hold all extreme points of c + h K, where these are neither vertices nor a sphere.
