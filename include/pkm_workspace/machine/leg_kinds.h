@@ -21,16 +21,27 @@ inline EnclosedLeg enclosedLeg(const Machine& machine, int leg)
   return enclosedStrut(machine, leg);
 }
 
+/// Calls the function with the leg as what it is. As std::visit(), whose exception must not be compiled for one
+/// instruction set and kept by the linker for all.
+template <std::size_t I = 0, class Function, class... Kinds>
+inline decltype(auto) visitLeg(const Function& function, const std::variant<Kinds...>& leg)
+{
+  if constexpr (I + 1 < sizeof...(Kinds))
+    if (leg.index() != I)
+      return visitLeg<I + 1>(function, leg);
+  return function(*std::get_if<I>(&leg));
+}
+
 template <class Real, class... Kinds>
 LegOfForms<Real> ofForms(const std::variant<Kinds...>& leg)
 {
-  return std::visit([](const auto& kind) -> LegOfForms<Real> { return ofForms<Real>(kind); }, leg);
+  return visitLeg([](const auto& kind) -> LegOfForms<Real> { return ofForms<Real>(kind); }, leg);
 }
 
 template <class Real>
 PlainLeg<Real> plain(const LegOfForms<Real>& leg)
 {
-  return std::visit([](const auto& kind) -> PlainLeg<Real> { return plain(kind); }, leg);
+  return visitLeg([](const auto& kind) -> PlainLeg<Real> { return plain(kind); }, leg);
 }
 
 /// Fills in the state of the leg where the tool stands at p, a point or a set of them.
@@ -38,20 +49,20 @@ PlainLeg<Real> plain(const LegOfForms<Real>& leg)
 template <class... Kinds, class Points, class Root, class State>
 inline void evaluate(const std::variant<Kinds...>& leg, const Points& p, const Root& root, State& state)
 {
-  std::visit([&](const auto& kind) { evaluate(kind, p, root, state); }, leg);
+  visitLeg([&](const auto& kind) { evaluate(kind, p, root, state); }, leg);
 }
 
 /// n^2 [m^2].
 template <class... Kinds>
 inline decltype(auto) squaredRow(const std::variant<Kinds...>& leg)
 {
-  return std::visit([](const auto& kind) -> decltype(auto) { return squaredRow(kind); }, leg);
+  return visitLeg([](const auto& kind) -> decltype(auto) { return squaredRow(kind); }, leg);
 }
 
 /// The joint value q [m].
 template <class... Kinds, class Points, class State>
 inline auto jointOf(const std::variant<Kinds...>& leg, const Points& p, const State& state)
 {
-  return std::visit([&](const auto& kind) { return jointOf(kind, p, state); }, leg);
+  return visitLeg([&](const auto& kind) { return jointOf(kind, p, state); }, leg);
 }
 }  // namespace pkm_workspace
