@@ -51,7 +51,7 @@ public:
     options.vector("sides", sides_, "A B C", LENGTH_NOT_NEGATIVE,
                    "full sides of the box along x, y and z; 0 for no thickness, at least one above 0");
     options.require({ "sides" });
-    criterion_options_.declare(options, criterion_);
+    declareCriterion(options, criterion_);
     budget_.max_boxes = 1000000;
     options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
     declareTimeLimit(options, budget_.time_limit);
@@ -144,7 +144,6 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
-  CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> center_;
   std::optional<Eigen::Vector3d> sides_;
   std::optional<Box> centers_;

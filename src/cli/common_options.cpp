@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 
 namespace pkm_workspace
 {
@@ -17,6 +18,19 @@ constexpr const char* RAILS_HELP =
     "names of the three prismatic joints that move the machine; needed when the URDF has more than three";
 constexpr const char* TCP_LINKS_HELP =
     "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide";
+
+/// "psi-min" of "psi_min".
+std::string optionOf(std::string name)
+{
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Quantity quantityOf(const CriterionBound& bound)
+{
+  const bool is_positive = bound.least == LEAST_POSITIVE;
+  return { bound.unit, is_positive ? 0.0 : bound.least, !is_positive };
+}
 }  // namespace
 
 void MachineOptions::declare(Options& options)
@@ -97,51 +111,42 @@ void ShapeOptions::declare(Options& options, RegionQuery& query)
   });
 }
 
-void AspectOption::declare(Options& options, Criterion::Aspect& aspect, const std::string& help)
+void declareCriterion(Options& options, Criterion& criterion)
 {
-  using Aspect = Criterion::Aspect;
-  name_ = name(aspect);
-  options.choice("aspect", name_, { name(Aspect::OWN), name(Aspect::OTHER), name(Aspect::BOTH) }, help);
-  options.check({ "aspect" }, [this, &aspect](Problems&) {
-    for (const Aspect one : { Aspect::OWN, Aspect::OTHER, Aspect::BOTH })
-      aspect = name_ == name(one) ? one : aspect;
+  criterion = defaultCriterion();
+  options.choice("set", criterion.set, SET_NAMES,
+                 "what is asked of every point: bounded velocity transmission factors, or the struts' reach only; with "
+                 "all that is given below");
+  options.choice("aspect", criterion.aspect, ASPECT_NAMES,
+                 "sign of det A at the points that count: that of the machine's zero configuration, the other, or any");
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    options.number(optionOf(bound.name), criterion.*bound.value, quantityOf(bound), bound.help);
+  options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
+  Words of_dextrous = { "set" }, all;
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+  {
+    all.push_back(optionOf(bound.name));
+    if (!bound.is_optional)
+      of_dextrous.push_back(all.back());
+  }
+  options.check(of_dextrous, [&criterion, &options, of_dextrous](Problems& problems) {
+    const auto is_given = [&](const std::string& name) { return options.given(name); };
+    if (criterion.set == Criterion::Set::REACHABLE && std::any_of(of_dextrous.begin() + 1, of_dextrous.end(), is_given))
+      problems.push_back("a reachable set has no bounds of velocity transmission factors: leave them out");
+  });
+  options.check(all, [&criterion, &options](Problems& problems) {
+    const auto origin = [&](const std::string& name) { return options.given(optionOf(name)) ? "" : "the default"; };
+    validateCriterion(criterion, origin, problems);
   });
 }
 
-const Words CriterionOptions::NAMES = { "set",       "aspect",    "psi-min",   "psi-max",
-                                        "force-min", "force-max", "kappa-max", "joint-limits" };
-
-void CriterionOptions::declare(Options& options, Criterion& criterion)
+Words criterionOptions()
 {
-  criterion = defaultCriterion();
-  options.choice("set", set_, { "dextrous", "reachable" },
-                 "what is asked of every point: bounded velocity transmission factors, or the struts' reach only; with "
-                 "all that is given below");
-  aspect_.declare(
-      options, criterion.aspect,
-      "sign of det A at the points that count: that of the machine's zero configuration, the other, or any");
-  options.number("psi-min", criterion.psi_min, NUMBER_POSITIVE, "least velocity transmission factor that is allowed");
-  options.number("psi-max", criterion.psi_max, NUMBER_POSITIVE, "largest velocity transmission factor that is allowed");
-  options.number("force-min", criterion.force_min, NUMBER_POSITIVE,
-                 "least force transmission factor 1 / psi that is allowed; without it, any");
-  options.number("force-max", criterion.force_max, NUMBER_POSITIVE,
-                 "largest force transmission factor 1 / psi that is allowed; without it, any");
-  options.number("kappa-max", criterion.kappa_max, CONDITION,
-                 "largest condition number of J (largest psi over least psi) that is allowed; without it, any");
-  options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
-  options.check({ "set", "psi-min", "psi-max" }, [this, &criterion, &options](Problems& problems) {
-    criterion.set = set_ == "reachable" ? Criterion::Set::REACHABLE : Criterion::Set::DEXTROUS;
-    if (set_ == "reachable" && (options.given("psi-min") || options.given("psi-max")))
-      problems.push_back("a reachable set has no bounds of velocity transmission factors: leave them out");
-  });
-  options.check({ "psi-min", "psi-max", "force-min", "force-max", "kappa-max" },
-                [&criterion, &options](Problems& problems) {
-                  const Origin origin = [&options](std::string name) {
-                    std::replace(name.begin(), name.end(), '_', '-');
-                    return options.given(name) ? "" : "the default";
-                  };
-                  validateCriterion(criterion, origin, problems);
-                });
+  Words names = { "set", "aspect" };
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    names.push_back(optionOf(bound.name));
+  names.push_back("joint-limits");
+  return names;
 }
 
 void AccuracyOption::declare(Options& options, const std::string& help)

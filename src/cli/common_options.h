@@ -69,31 +69,10 @@ private:
   std::optional<RatioRange> ratio_;
 };
 
-/// --aspect: own, other or both.
-class AspectOption
-{
-public:
-  /// Sets the aspect; what it is then is the default.
-  void declare(Options& options, Criterion::Aspect& aspect, const std::string& help);
-
-private:
-  std::string name_;
-};
-
-/// --set, --aspect, --psi-min, --psi-max, --force-min, --force-max, --kappa-max, --joint-limits.
-class CriterionOptions
-{
-public:
-  /// Their names.
-  static const Words NAMES;
-
-  /// Sets the criterion.
-  void declare(Options& options, Criterion& criterion);
-
-private:
-  std::string set_ = "dextrous";
-  AspectOption aspect_;
-};
+/// --set, --aspect, one option for each bound, --joint-limits. Sets the criterion, the default too.
+void declareCriterion(Options& options, Criterion& criterion);
+/// Their names.
+Words criterionOptions();
 
 /// --accuracy of a size.
 class AccuracyOption

@@ -131,7 +131,7 @@ public:
     machines_.declare(options);
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
     shape_.declare(options, query_);
-    criterion_options_.declare(options, query_.criterion);
+    declareCriterion(options, query_.criterion);
     accuracy_.declare(options, "largest difference between the proved size and its upper bound");
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     declareBudget(options, query_.budget);
@@ -141,7 +141,7 @@ public:
         problems.push_back("give either --urdf FILE, once for each machine, or --paper");
     });
     options.check({ "paper" }, [this, &options](Problems& problems) {
-      Words fixed = CriterionOptions::NAMES;
+      Words fixed = criterionOptions();
       fixed.insert(fixed.end(), { "shape", "proportions", "ratio", "multi-precision" });
       for (const std::string& name : fixed)
         if (paper_ && options.given(name))
@@ -202,7 +202,6 @@ private:
   bool multi_precision_ = false;
   bool progress_ = false;
   RegionQuery query_;
-  CriterionOptions criterion_options_;
   ShapeOptions shape_;
   AccuracyOption accuracy_;
 };

@@ -35,9 +35,9 @@ public:
   {
     machine_.declare(options);
     region_.declare(options);
-    criterion_options_.declare(options, criterion_);
+    declareCriterion(options, criterion_);
     options.check({ "center", "size" }, [this, &options](Problems& problems) {
-      for (const std::string& name : CriterionOptions::NAMES)
+      for (const std::string& name : criterionOptions())
         if (region_.given() && options.given(name))
           problems.push_back("all points of a region count: leave out --" + name);
     });
@@ -85,7 +85,6 @@ private:
   MachineOptions machine_;
   RegionOption region_;
   Criterion criterion_;
-  CriterionOptions criterion_options_;
   ConditioningQuery query_;
   bool progress_ = false;
 };

@@ -115,7 +115,7 @@ public:
       if (point_.has_value() != points_.empty())
         problems.push_back("give either --point X Y Z, or --points FILE with one point or more");
     });
-    criterion_options_.declare(options, criterion_);
+    declareCriterion(options, criterion_);
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
   }
@@ -252,7 +252,6 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
-  CriterionOptions criterion_options_;
   std::optional<Eigen::Vector3d> point_;
   std::vector<Eigen::Vector3d> points_;
   double time_limit_;

@@ -85,7 +85,7 @@ public:
   {
     machine_.declare(options);
     shape_.declare(options, query_);
-    criterion_options_.declare(options, query_.criterion);
+    declareCriterion(options, query_.criterion);
     accuracy_.declare(options,
                       "largest difference between the proved size and its upper bound (of a box: in factors; of a "
                       "cylinder of free ratio: by how much its height would grow with its volume)");
@@ -164,7 +164,6 @@ private:
   AccuracyOption accuracy_;
   bool progress_ = false;
   bool multi_precision_ = false;
-  CriterionOptions criterion_options_;
   ShapeOptions shape_;
   std::optional<Eigen::Vector3d> center_;
 };

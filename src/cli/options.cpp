@@ -48,6 +48,15 @@ void Options::choice(const std::string& name, std::string& target, const Words& 
       [&target, allowed](const Words& words) { target = readChoice(words[0], allowed); });
 }
 
+void Options::addChoice(const std::string& name, std::size_t index, const Words& names, const std::string& help,
+                        const std::function<void(std::size_t)>& set)
+{
+  add(name, joined(names, "|"), withDefault(help, names[index]), [set, names](const Words& words) {
+    const auto chosen = std::find(names.begin(), names.end(), readChoice(words[0], names));
+    set(static_cast<std::size_t>(chosen - names.begin()));
+  });
+}
+
 void Options::text(const std::string& name, std::string& target, const std::string& value, const std::string& help)
 {
   add(name, value, help, [&target](const Words& words) { target = readText(words[0]); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -27,6 +28,13 @@ public:
   void flag(const std::string& name, bool& target, const std::string& help);
   void onOff(const std::string& name, bool& target, const std::string& help);
   void choice(const std::string& name, std::string& target, const Words& allowed, const std::string& help);
+  /// One of an enumeration, by names in its order.
+  template <class Choice, std::size_t N>
+  void choice(const std::string& name, Choice& target, const std::array<const char*, N>& names, const std::string& help)
+  {
+    addChoice(name, static_cast<std::size_t>(target), { names.begin(), names.end() }, help,
+              [&target](std::size_t index) { target = static_cast<Choice>(index); });
+  }
   void text(const std::string& name, std::string& target, const std::string& value, const std::string& help);
   void texts(const std::string& name, Words& target, const std::string& values, const std::string& help);
   /// May be given several times. @p read may throw std::invalid_argument with the reason.
@@ -87,6 +95,8 @@ private:
   };
 
   void add(const std::string& name, const std::string& values, const std::string& help, const Reader& read);
+  void addChoice(const std::string& name, std::size_t index, const Words& names, const std::string& help,
+                 const std::function<void(std::size_t)>& set);
   void addCount(const std::string& name, std::int64_t value, std::int64_t upper, const std::string& help,
                 const std::function<void(std::int64_t)>& set);
   const Option* find(const std::string& name) const;

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/version.h"
 
@@ -21,18 +22,10 @@ Json contextOf(const Machine& machine, const Criterion& criterion)
                 { "version", version() },
                 { "joint_limits", criterion.joint_limits && machine.hasJointLimits() } };
   json["set"] = name(criterion.set);
-  json["aspect"] = pkm_workspace::name(criterion.aspect);
-  if (criterion.set == Criterion::Set::DEXTROUS)
-  {
-    json["psi_min"] = criterion.psi_min;
-    json["psi_max"] = criterion.psi_max;
-  }
-  if (criterion.force_min > 0.0)
-    json["force_min"] = criterion.force_min;
-  if (criterion.force_max > 0.0)
-    json["force_max"] = criterion.force_max;
-  if (criterion.kappa_max > 0.0)
-    json["kappa_max"] = criterion.kappa_max;
+  json["aspect"] = name(criterion.aspect);
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    if (bound.isAskedBy(criterion))
+      json[bound.name] = criterion.*bound.value;
   return json;
 }
 
@@ -122,11 +115,6 @@ bool isSolid(const Shape& shape)
   return (shape.halfExtents().array() > 0.0).all();
 }
 
-std::string name(Criterion::Set set)
-{
-  return set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";
-}
-
 std::string name(Containment verdict)
 {
   return verdict == Containment::INSIDE ? "inside" : verdict == Containment::OUTSIDE ? "outside" : "undecided";
@@ -135,22 +123,14 @@ std::string name(Containment verdict)
 std::string definition(const Machine& machine, const Criterion& criterion)
 {
   using Aspect = Criterion::Aspect;
-  const bool is_dextrous = criterion.set == Criterion::Set::DEXTROUS;
-  std::string text = is_dextrous ? "Dextrous: reachable" : "Reachable: within reach of all three struts";
+  std::string text =
+      criterion.set == Criterion::Set::DEXTROUS ? "Dextrous: reachable" : "Reachable: within reach of all three struts";
   text += " in the machine's own working mode, ";
   text += criterion.aspect == Aspect::BOTH
               ? "in either aspect (any sign of det A)"
-              : "in its " + pkm_workspace::name(criterion.aspect) + " aspect (the sign of det A " +
+              : "in its " + name(criterion.aspect) + " aspect (the sign of det A " +
                     (criterion.aspect == Aspect::OWN ? "" : "opposite to that ") + "at the zero configuration)";
-  if (is_dextrous)
-    text += ", with all velocity transmission factors in [" + exact(criterion.psi_min) + ", " +
-            exact(criterion.psi_max) + "]";
-  if (criterion.force_min > 0.0)
-    text += ", with force transmission factors of at least " + exact(criterion.force_min);
-  if (criterion.force_max > 0.0)
-    text += ", with force transmission factors of at most " + exact(criterion.force_max);
-  if (criterion.kappa_max > 0.0)
-    text += ", with a condition number of J of at most " + exact(criterion.kappa_max);
+  text += boundsInWords(criterion, &CriterionBound::full);
   if (!machine.hasJointLimits())
     return text + "; the machine has no joint limits.";
   return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");

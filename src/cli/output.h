@@ -42,8 +42,6 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges);
 
 /// Whether its volume is more than 0.
 bool isSolid(const Shape& shape);
-/// "dextrous" or "reachable".
-std::string name(Criterion::Set set);
 /// "inside", "outside" or "undecided".
 std::string name(Containment verdict);
 /// "proven", "stopped" or "none".

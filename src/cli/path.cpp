@@ -94,7 +94,7 @@ public:
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
-    criterion_options_.declare(options, criterion_);
+    declareCriterion(options, criterion_);
     options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
   }
 
@@ -212,7 +212,6 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
-  CriterionOptions criterion_options_;
   PathQuery query_;
   PathText path_;
   std::string file_;

@@ -55,7 +55,7 @@ public:
     options.box("box", query_.box,
                 "what to look at; without it, the whole workspace, or its section through the zero configuration "
                 "where nothing changes along the rails");
-    criterion_options_.declare(options, query_.criterion);
+    declareCriterion(options, query_.criterion);
     declareBudget(options, query_.budget);
     declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
@@ -190,7 +190,6 @@ private:
   PavingQuery query_;
   std::optional<double> resolution_;
   bool progress_ = false;
-  CriterionOptions criterion_options_;
   std::string save_;
   std::string resume_;
   std::int64_t list_boxes_ = 0;

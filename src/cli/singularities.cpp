@@ -44,9 +44,9 @@ public:
   {
     machine_.declare(options);
     region_.declare(options);
-    aspect_.declare(options, criterion_.aspect,
-                    "sign of det A at the points that count: that of the machine's zero configuration, the other, or "
-                    "any; points where it is 0, the parallel singularities, count in each");
+    options.choice("aspect", criterion_.aspect, ASPECT_NAMES,
+                   "sign of det A at the points that count: that of the machine's zero configuration, the other, or "
+                   "any; points where it is 0, the parallel singularities, count in each");
     options.onOff("joint-limits", criterion_.joint_limits, "whether only points within the URDF's joint limits count");
     options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
                    "wanted width of each enclosure, relative to its upper end");
@@ -104,7 +104,6 @@ private:
   MachineOptions machine_;
   RegionOption region_;
   SingularityQuery query_;
-  AspectOption aspect_;
   Criterion criterion_ = reachableAnywhere();
   bool progress_ = false;
 };

@@ -68,7 +68,7 @@ public:
     options.range("range", range_, Quantity(), "least and largest parameter, in metres; of a share, without unit");
     options.require({ "range" });
     shape_.declare(options, query_.region);
-    criterion_options_.declare(options, query_.region.criterion);
+    declareCriterion(options, query_.region.criterion);
     accuracy_.declare(options, "largest difference between the best machine's proved size and the upper bound of all");
     options.count("parts", parts_, 100000, "parts of the range whose largest sizes are told too; without it, none");
     declareBudget(options, query_.region.budget);
@@ -230,7 +230,6 @@ private:
   MachinesOptions machines_;
   std::optional<RatioRange> range_;
   StudyQuery query_;
-  CriterionOptions criterion_options_;
   ShapeOptions shape_;
   AccuracyOption accuracy_;
   int parts_ = 0;

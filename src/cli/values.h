@@ -41,7 +41,6 @@ const Quantity LENGTH_NOT_NEGATIVE{ "m", 0.0 };
 const Quantity LENGTH_POSITIVE{ "m", 0.0, false };
 const Quantity NUMBER_POSITIVE{ "", 0.0, false };
 const Quantity NUMBER_NOT_NEGATIVE{ "", 0.0 };
-const Quantity CONDITION{ "", 1.0 };
 const Quantity TIME_NOT_NEGATIVE{ "s", 0.0 };
 
 /// Each of these reads the words of one option. @throws std::invalid_argument with the word and what is allowed

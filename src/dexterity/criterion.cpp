@@ -2,53 +2,60 @@
 #include "pkm_workspace/dexterity/criterion.h"
 
 #include <algorithm>
-#include <tuple>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
-#include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-/// The squares of factors have to be ordinary numbers.
-constexpr double LEAST = 1e-100;
-constexpr double LARGEST = 1e100;
-
-/// The values of a criterion by their names.
-class FactorChecks
+/// Tells what is wrong with the bounds of a criterion, one after the other.
+class BoundChecks
 {
 public:
-  FactorChecks(Problems& problems, const Origin& origin) : problems_(problems), origin_(origin) {}
+  BoundChecks(const Criterion& criterion, const Origin& origin, Problems& problems)
+    : criterion_(criterion), origin_(origin), problems_(problems)
+  {}
 
-  /// Whether the value is 0 where that stands for none, or an ordinary number.
-  bool isOrdinary(const std::string& name, double value, bool may_be_none)
+  void check(const CriterionBound& bound)
   {
-    if ((value >= LEAST && value <= LARGEST) || (may_be_none && value == 0.0))
-      return true;
-    complain(problems_, name, " = ", value, ' ', fromWhere(name),
-             "(a transmission factor, without unit) must be positive and finite (1e-100 to 1e100)",
-             may_be_none ? ", or 0 for none" : "");
-    return false;
-  }
-
-  void order(const std::string& least, double lower, const std::string& largest, double upper)
-  {
-    if (lower <= upper)
-      return;
-    complain(problems_, largest, " = ", upper, ' ', fromWhere(largest), "must be at least ", least, " = ", lower, ' ',
-             fromWhere(least), "(transmission factors, without unit)");
+    const CriterionBound* const least = lowerBoundOf(bound);
+    if (!isOrdinary(bound))
+      complain(problems_, assigned(bound), "(a ", bound.quantity, ", ", unitOf(bound), ") must be ", allowed(bound),
+               bound.is_optional ? ", or 0 for none" : "");
+    else if (least != nullptr && isOrdinary(*least) && valueOf(bound) != 0.0 && valueOf(bound) < valueOf(*least))
+      complain(problems_, assigned(bound), "must be at least ", assigned(*least), "(", bound.quantity, "s, ",
+               unitOf(bound), ")");
   }
 
 private:
-  std::string fromWhere(const std::string& name) const
+  double valueOf(const CriterionBound& bound) const { return criterion_.*bound.value; }
+
+  /// Whether the value is 0 where that stands for none, or an ordinary number.
+  bool isOrdinary(const CriterionBound& bound) const
   {
-    const std::string origin = origin_ ? origin_(name) : "";
-    return origin.empty() ? "" : "(" + origin + ") ";
+    const double value = valueOf(bound);
+    return (value >= bound.least && value <= LARGEST_BOUND) || (bound.is_optional && value == 0.0);
   }
 
-  Problems& problems_;
+  /// "psi_min = 3 (the default) ".
+  std::string assigned(const CriterionBound& bound) const
+  {
+    const std::string origin = origin_ ? origin_(bound.name) : "";
+    return std::string(bound.name) + " = " + exact(valueOf(bound)) + (origin.empty() ? " " : " (" + origin + ") ");
+  }
+
+  static std::string allowed(const CriterionBound& bound)
+  {
+    return bound.least == LEAST_POSITIVE ? "positive and finite (1e-100 to 1e100)"
+                                         : "at least " + exact(bound.least) + " and finite (to 1e100)";
+  }
+
+  const Criterion& criterion_;
   const Origin& origin_;
+  Problems& problems_;
 };
 
 /// Velocity and force factors bound the same psi.
@@ -68,16 +75,9 @@ void validateTogether(const Criterion& criterion, Problems& problems)
 
 void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems)
 {
-  FactorChecks checks(problems, origin);
-  const bool has_psi_min = checks.isOrdinary("psi_min", criterion.psi_min, false);
-  if (checks.isOrdinary("psi_max", criterion.psi_max, false) && has_psi_min)
-    checks.order("psi_min", criterion.psi_min, "psi_max", criterion.psi_max);
-  const bool has_force_min = checks.isOrdinary("force_min", criterion.force_min, true);
-  if (checks.isOrdinary("force_max", criterion.force_max, true) && has_force_min && criterion.force_max != 0.0)
-    checks.order("force_min", criterion.force_min, "force_max", criterion.force_max);
-  if (criterion.kappa_max != 0.0 && !(criterion.kappa_max >= 1.0 && criterion.kappa_max <= LARGEST))
-    complain(problems, "kappa_max = ", criterion.kappa_max,
-             " (a condition number, without unit) must be at least 1 and finite (to 1e100), or 0 for none");
+  BoundChecks checks(criterion, origin, problems);
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    checks.check(bound);
   if (problems.empty())
     validateTogether(criterion, problems);
 }
@@ -107,43 +107,27 @@ Interval Criterion::largestFactor() const
   return { std::min(psi_max, force.lower()), std::min(psi_max, force.upper()) };
 }
 
-bool operator==(const Criterion& a, const Criterion& b)
+std::string name(Criterion::Set set)
 {
-  const auto values = [](const Criterion& c) {
-    return std::tie(c.set, c.aspect, c.psi_min, c.psi_max, c.force_min, c.force_max, c.kappa_max, c.joint_limits);
-  };
-  return values(a) == values(b);
+  return SET_NAMES[static_cast<std::size_t>(set)];
 }
 
 std::string name(Criterion::Aspect aspect)
 {
-  constexpr const char* NAMES[] = { "own", "other", "both" };  // as Aspect
-  return NAMES[static_cast<std::size_t>(aspect)];
+  return ASPECT_NAMES[static_cast<std::size_t>(aspect)];
 }
 
 std::string quality(const Criterion& criterion)
 {
-  const std::string set = criterion.set == Criterion::Set::DEXTROUS ? "dextrous" : "reachable";
   if (criterion.aspect == Criterion::Aspect::BOTH)
-    return set + " in either aspect";
-  return set + " in the machine's " + name(criterion.aspect) + " aspect";
+    return name(criterion.set) + " in either aspect";
+  return name(criterion.set) + " in the machine's " + name(criterion.aspect) + " aspect";
 }
 
 std::string describe(const Criterion& criterion)
 {
-  TextStream text;
-  if (criterion.set == Criterion::Set::DEXTROUS)
-    text << "dextrous with psi in [" << criterion.psi_min << ", " << criterion.psi_max << "]";
-  else
-    text << "reachable";
-  if (criterion.force_min > 0.0)
-    text << ", force factors at least " << criterion.force_min;
-  if (criterion.force_max > 0.0)
-    text << ", force factors at most " << criterion.force_max;
-  if (criterion.kappa_max > 0.0)
-    text << ", condition number at most " << criterion.kappa_max;
-  text << ", " << name(criterion.aspect) << (criterion.aspect == Criterion::Aspect::BOTH ? " aspects" : " aspect")
-       << ", joint limits " << (criterion.joint_limits ? "on" : "off");
-  return text.str();
+  return name(criterion.set) + boundsInWords(criterion, &CriterionBound::brief) + ", " + name(criterion.aspect) +
+         (criterion.aspect == Criterion::Aspect::BOTH ? " aspects" : " aspect") + ", joint limits " +
+         (criterion.joint_limits ? "on" : "off");
 }
 }  // namespace pkm_workspace

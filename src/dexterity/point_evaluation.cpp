@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/machine/sliding_strut.h"
 
@@ -27,13 +28,6 @@ Criterion reachOnly()
 Interval asInterval(const Span<double>& span)
 {
   return { span.lower, span.upper };
-}
-
-/// { 1 / x : x in the set }, which is not negative.
-Interval inverse(const Interval& x)
-{
-  const double lower = x.upper() < INF ? (Interval(1.0) / Interval(x.upper())).lower() : 0.0;
-  return { std::max(0.0, lower), x.lower() > 0.0 ? (Interval(1.0) / Interval(x.lower())).upper() : INF };
 }
 
 Limit atLeast(Kind kind, int leg, const Interval& value, double bound)
@@ -81,9 +75,9 @@ std::vector<Limit> jointLimits(const Machine& machine, const std::array<Interval
 
 std::string name(Limit::Kind kind)
 {
-  constexpr const char* NAMES[] = { "reach",   "joint_lower", "joint_upper", "aspect",   "psi_min",
-                                    "psi_max", "force_min",   "force_max",   "kappa_max" };
-  return NAMES[static_cast<int>(kind)];
+  constexpr const char* NAMES[] = { "reach", "joint_lower", "joint_upper", "aspect" };
+  const CriterionBound* const bound = boundOf(kind);
+  return bound == nullptr ? NAMES[static_cast<int>(kind)] : bound->name;
 }
 
 const Limit& PointEvaluation::binding() const
@@ -159,18 +153,12 @@ void PointEvaluator::addValues(const Configuration& there, const PieceMotion& mo
 void PointEvaluator::addFactors(PointEvaluation& result) const
 {
   const Criterion& criterion = test_.model().criterion();
-  const auto add = [&](const Limit& limit) { result.limits.push_back(limit); };
-  if (criterion.set == Criterion::Set::DEXTROUS)
-  {
-    add(atLeast(Kind::PSI_MIN, -1, result.psi[0], criterion.psi_min));
-    add(atMost(Kind::PSI_MAX, -1, result.psi[2], criterion.psi_max));
-  }
-  if (criterion.force_min > 0.0)
-    add(atLeast(Kind::FORCE_MIN, -1, inverse(result.psi[2]), criterion.force_min));
-  if (criterion.force_max > 0.0)
-    add(atMost(Kind::FORCE_MAX, -1, inverse(result.psi[0]), criterion.force_max));
-  if (criterion.kappa_max > 0.0)
-    add(atMost(Kind::KAPPA_MAX, -1, result.condition, criterion.kappa_max));
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    if (bound.isAskedBy(criterion))
+    {
+      const auto limit = bound.is_lower ? atLeast : atMost;
+      result.limits.push_back(limit(bound.kind, -1, bound.enclose(result), criterion.*bound.value));
+    }
 }
 
 PointEvaluation evaluatePoint(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point)

@@ -18,11 +18,9 @@ std::string describe(const Box& box)
   return text.str();
 }
 
-/// Every number of a double tells itself from all others in 17 digits.
-void compare(const char* what, const std::string& earlier, const std::string& wanted, Problems& problems)
+void refuse(const char* what, const std::string& earlier, const std::string& wanted, Problems& problems)
 {
-  if (earlier != wanted)
-    problems.push_back(std::string(what) + ": the earlier paving is of " + earlier + ", asked for is " + wanted);
+  problems.push_back(std::string(what) + ": the earlier paving is of " + earlier + ", asked for is " + wanted);
 }
 }  // namespace
 
@@ -77,10 +75,15 @@ Paving resume(const Machine& machine, const PavingQuery& query, const Paving& ea
 
 void validateEarlier(const Machine& machine, const PavingQuery& query, const Paving& earlier, Problems& problems)
 {
-  compare("geometry hash", earlier.geometry_hash, machine.geometryHash(), problems);
-  compare("criterion", describe(earlier.criterion), describe(query.criterion), problems);
-  if (problems.empty())  // the box that is paved without one asked for depends on the machine and the criterion
-    compare("box", describe(earlier.box), describe(query.box ? *query.box : defaultBox(machine, query.criterion)),
-            problems);
+  if (earlier.geometry_hash != machine.geometryHash())
+    refuse("geometry hash", earlier.geometry_hash, machine.geometryHash(), problems);
+  if (!(earlier.criterion == query.criterion))
+    refuse("criterion", describe(earlier.criterion), describe(query.criterion), problems);
+  if (!problems.empty())
+    return;
+  // without one asked for, the box depends on the machine and the criterion
+  const Box box = query.box ? *query.box : defaultBox(machine, query.criterion);
+  if (earlier.box.lower != box.lower || earlier.box.upper != box.upper)
+    refuse("box", describe(earlier.box), describe(box), problems);
 }
 }  // namespace pkm_workspace

@@ -5,8 +5,9 @@
 #include <boost/crc.hpp>
 #include <stdexcept>
 
-#include "byte_order.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/version.h"
 
 namespace pkm_workspace
@@ -16,7 +17,8 @@ namespace
 // In order: magic, format, size of the file, version of the library, number of pavings; each paving: geometry hash,
 // criterion, resolution, box, its tree with one byte a box; last, the checksum of all before it.
 const std::string MAGIC = "PKM paving\n";
-constexpr std::uint32_t FORMAT = 2;
+// Format 2 has five bounds; each more is another format.
+constexpr std::uint32_t FORMAT = 2 + (CRITERION_BOUNDS.size() - 5);
 constexpr std::size_t CHECKSUM_BYTES = sizeof(std::uint32_t);
 
 /// CRC-32 of the first bytes.
@@ -29,30 +31,14 @@ std::uint32_t checksum(const std::string& bytes, std::size_t size)
 
 void put(const Paving& paving, ByteWriter& writer)
 {
-  const Criterion& criterion = paving.criterion;
   writer.text(paving.geometry_hash);
-  writer.number(static_cast<std::uint8_t>(criterion.set));
-  writer.number(static_cast<std::uint8_t>(criterion.aspect));
-  for (const double bound :
-       { criterion.psi_min, criterion.psi_max, criterion.force_min, criterion.force_max, criterion.kappa_max })
-    writer.real(bound);
-  writer.number(static_cast<std::uint8_t>(criterion.joint_limits));
+  put(paving.criterion, writer);
   writer.real(paving.resolution);
   for (const Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })
     for (int axis = 0; axis < 3; ++axis)
       writer.real((*corner)[axis]);
   for (std::size_t level = 0; level < paving.tree.levels(); ++level)
     writer.raw(paving.tree.level(level).data(), paving.tree.level(level).size());
-}
-
-/// @return one of the first @p count values of the enumeration
-template <class Enumeration>
-Enumeration takeOneOf(unsigned count, ByteReader& reader)
-{
-  const unsigned value = reader.number<std::uint8_t>();
-  if (value >= count)
-    throw std::runtime_error("a choice has the number " + std::to_string(value));
-  return static_cast<Enumeration>(value);
 }
 
 /// Adds the next level. @return how many boxes the level after it has
@@ -76,20 +62,14 @@ std::size_t takeLevel(std::size_t size, BoxTree& tree, ByteReader& reader)
 Paving takePaving(ByteReader& reader)
 {
   Paving paving;
-  Criterion& criterion = paving.criterion;
   paving.geometry_hash = reader.text();
-  criterion.set = takeOneOf<Criterion::Set>(2, reader);
-  criterion.aspect = takeOneOf<Criterion::Aspect>(3, reader);
-  for (double* bound :
-       { &criterion.psi_min, &criterion.psi_max, &criterion.force_min, &criterion.force_max, &criterion.kappa_max })
-    *bound = reader.real();
-  criterion.joint_limits = takeOneOf<bool>(2, reader);
+  paving.criterion = takeCriterion(reader);
   paving.resolution = reader.real();
   for (Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })
     for (int axis = 0; axis < 3; ++axis)
       (*corner)[axis] = reader.real();
   Problems problems;
-  criterion.validate(problems);
+  paving.criterion.validate(problems);
   validatePositive("resolution", paving.resolution, "m", problems);
   const bool has_boxes = paving.box.isValid();
   if (has_boxes)

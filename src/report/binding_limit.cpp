@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -15,10 +16,12 @@ using Kind = Limit::Kind;
 /// Digits of a value that is far enough from its bound, and what is not: a share of the longest strut, of the bound.
 constexpr int DIGITS = 6;
 constexpr double NEAR = 1e-9;
+const std::string LENGTH = " m";
 
 bool isAtLeast(Kind kind)
 {
-  return kind == Kind::JOINT_LOWER || kind == Kind::ASPECT || kind == Kind::PSI_MIN || kind == Kind::FORCE_MIN;
+  const CriterionBound* const bound = boundOf(kind);
+  return bound == nullptr ? kind == Kind::JOINT_LOWER || kind == Kind::ASPECT : bound->is_lower;
 }
 
 /// How a value and its bound stand to each other, in words.
@@ -34,7 +37,9 @@ struct Relation
 
 std::string unitOf(Kind kind)
 {
-  return kind == Kind::REACH || kind == Kind::JOINT_LOWER || kind == Kind::JOINT_UPPER ? " m" : "";
+  if (const CriterionBound* const bound = boundOf(kind))
+    return *bound->unit == '\0' ? "" : std::string(" ") + bound->unit;
+  return kind == Kind::ASPECT ? "" : LENGTH;
 }
 
 Relation relationOf(const Limit& limit, const Machine& machine)
@@ -48,7 +53,7 @@ Relation relationOf(const Limit& limit, const Machine& machine)
   relation.is_equal = distance == 0.0;
   if (std::isfinite(distance))
     relation.distance = significantAbove(distance, 2) + unitOf(limit.kind);
-  const double unit = unitOf(limit.kind).empty() ? std::max(1.0, limit.bound) : machine.scale();
+  const double unit = unitOf(limit.kind) == LENGTH ? machine.scale() : std::max(1.0, limit.bound);
   if (!limit.value.isBounded() || !(relation.is_violated || relation.is_kept) || !(distance > NEAR * unit))
     return relation;
   const std::string value = nearly(limit.value.lower(), DIGITS);
@@ -108,16 +113,6 @@ std::string aspectPhrase(const Relation& relation)
     return "det A has the wrong sign for this aspect, beyond a parallel singularity";
   return phrase("det A over the product of the struts' lengths, with the sign of the aspect,", "is", "0", relation);
 }
-
-std::string factorPhrase(const Limit& limit, const Relation& relation)
-{
-  const char* const name = limit.kind == Kind::PSI_MIN     ? "the least velocity transmission factor"
-                           : limit.kind == Kind::PSI_MAX   ? "the largest velocity transmission factor"
-                           : limit.kind == Kind::FORCE_MIN ? "the least force transmission factor"
-                           : limit.kind == Kind::FORCE_MAX ? "the largest force transmission factor"
-                                                           : "the condition number of J";
-  return phrase(name, "is", exact(limit.bound), relation);
-}
 }  // namespace
 
 std::string describe(const Limit& limit, const Machine& machine)
@@ -133,7 +128,7 @@ std::string describe(const Limit& limit, const Machine& machine)
     case Kind::ASPECT:
       return aspectPhrase(relation);
     default:
-      return factorPhrase(limit, relation);
+      return phrase(boundOf(limit.kind)->subject, "is", exact(limit.bound) + unitOf(limit.kind), relation);
   }
 }
 

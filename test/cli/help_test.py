@@ -12,7 +12,9 @@ from xml.etree import ElementTree
 from pkm import MACHINES, URDF, CommandTest
 
 MACHINE = {"urdf", "rails", "tcp-links"}
-CRITERION = {"set", "aspect", "psi-min", "psi-max", "force-min", "force-max", "kappa-max", "joint-limits"}
+REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
+BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64 (\w+)$", REQUEST)}
+CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS
 TIME = {"time-limit", "progress"}
 BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
 COMMON = {"json", "help"}

@@ -5,6 +5,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "pkm_workspace/dexterity/point_evaluation.h"
@@ -96,8 +97,10 @@ public:
         return 1 / sqrt(largest);
       case Kind::FORCE_MAX:
         return 1 / sqrt(least);
-      default:
+      case Kind::KAPPA_MAX:
         return sqrt(largest / least);
+      default:
+        throw std::logic_error("the oracle does not know " + name(limit.kind));
     }
   }
 

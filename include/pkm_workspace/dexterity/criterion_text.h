@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -14,7 +15,11 @@ using Origin = std::function<std::string(const std::string& name)>;
 /// The same as Criterion::validate(), with the origin of values that nobody gave.
 void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems);
 
-/// "own", "other" or "both": what options, parameters and answers call them.
+/// What options, parameters and answers call them, in the order of the enumerations.
+inline constexpr std::array<const char*, 2> SET_NAMES = { "dextrous", "reachable" };
+inline constexpr std::array<const char*, 3> ASPECT_NAMES = { "own", "other", "both" };
+
+std::string name(Criterion::Set set);
 std::string name(Criterion::Aspect aspect);
 
 /// "dextrous" or "reachable", and in which aspect: "dextrous in the machine's own aspect".
