@@ -17,19 +17,12 @@ namespace
 {
 using Request = ComputeConditioning::Request;
 
-bool isEmpty(const CriterionRequest& criterion)
-{
-  return criterion.set == 0 && criterion.aspect == 0 && criterion.psi_min == 0.0 && criterion.psi_max == 0.0 &&
-         criterion.force_min == 0.0 && criterion.force_max == 0.0 && criterion.kappa_max == 0.0 &&
-         criterion.joint_limits == 0;
-}
-
 /// Refuses what is set and without effect.
 void requireUnused(const Request& request, Problems& problems)
 {
   if (request.over > Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) + " must be SET = 0 or REGION = 1");
-  if (request.over == Request::REGION && !isEmpty(request.criterion))
+  if (request.over == Request::REGION && request.criterion != CriterionRequest())
     problems.push_back("criterion must be 0 unless over = SET: all points of a region count");
   if (request.over != Request::REGION &&
       (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/criterion_message.h"
 
+#include <iterator>
 #include <limits>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/version.h"
@@ -11,45 +14,75 @@ namespace pkm_workspace
 {
 namespace
 {
-/// 0 is the default, +inf is none: 0 in a Criterion.
-double boundOr(double value, double fallback)
+/// Where the messages have the bounds.
+struct MessageFields
 {
-  return value == std::numeric_limits<double>::infinity() ? 0.0 : valueOr(value, fallback);
+  double Criterion::*value;
+  double CriterionRequest::*request;
+  double Hypotheses::*hypotheses;
+};
+constexpr MessageFields FIELDS[] = {
+  { &Criterion::psi_min, &CriterionRequest::psi_min, &Hypotheses::psi_min },
+  { &Criterion::psi_max, &CriterionRequest::psi_max, &Hypotheses::psi_max },
+  { &Criterion::force_min, &CriterionRequest::force_min, &Hypotheses::force_min },
+  { &Criterion::force_max, &CriterionRequest::force_max, &Hypotheses::force_max },
+  { &Criterion::kappa_max, &CriterionRequest::kappa_max, &Hypotheses::kappa_max },
+};
+
+constexpr bool fieldsAreInOrder()
+{
+  bool in_order = std::size(FIELDS) == CRITERION_BOUNDS.size();
+  for (std::size_t k = 0; in_order && k < CRITERION_BOUNDS.size(); ++k)
+    in_order = FIELDS[k].value == CRITERION_BOUNDS[k].value;
+  return in_order;
+}
+static_assert(fieldsAreInOrder(), "each bound needs its fields of both messages, in the order of CRITERION_BOUNDS");
+
+template <class Message>
+constexpr bool numbersAsCriterion()
+{
+  return int(Message::DEXTROUS) == 1 && int(Message::REACHABLE) == 2 && int(Message::OWN) == 1 &&
+         int(Message::OTHER) == 2 && int(Message::BOTH) == 3;
+}
+static_assert(numbersAsCriterion<CriterionRequest>() && numbersAsCriterion<Hypotheses>(), "messages differ");
+
+/// The number of a choice in messages, where 0 stands for the default.
+template <class Choice>
+std::uint8_t toNumber(Choice choice)
+{
+  return static_cast<std::uint8_t>(static_cast<int>(choice) + 1);
 }
 
-static_assert(Hypotheses::OWN == 1 && Hypotheses::OTHER == 2 && Hypotheses::BOTH == 3, "numbers as Criterion::Aspect");
-
-std::uint8_t toNumber(Criterion::Aspect aspect)
+/// @param names of the choices @return the fallback for any other number
+template <class Choice, std::size_t N>
+Choice fromNumber(std::uint8_t number, const std::array<const char*, N>& names, Choice fallback)
 {
-  return static_cast<std::uint8_t>(static_cast<int>(aspect) + Hypotheses::OWN);
-}
-
-Criterion::Aspect fromNumber(std::uint8_t aspect)
-{
-  return aspect == Hypotheses::OTHER  ? Criterion::Aspect::OTHER
-         : aspect == Hypotheses::BOTH ? Criterion::Aspect::BOTH
-                                      : Criterion::Aspect::OWN;
+  return number >= 1 && number <= names.size() ? static_cast<Choice>(number - 1) : fallback;
 }
 
 void readSet(const CriterionRequest& request, Criterion& criterion, Problems& problems)
 {
-  if (request.set == CriterionRequest::DEXTROUS)
-    criterion.set = Criterion::Set::DEXTROUS;
-  else if (request.set == CriterionRequest::REACHABLE)
-    criterion.set = Criterion::Set::REACHABLE;
-  else if (request.set != CriterionRequest::DEFAULT)
+  if (request.set <= CriterionRequest::REACHABLE)
+    criterion.set = fromNumber(request.set, SET_NAMES, criterion.set);
+  else
     problems.push_back("set = " + std::to_string(request.set) + " must be DEFAULT = 0, DEXTROUS = 1 or REACHABLE = 2");
 }
 
-void readFactors(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+/// Of a bound, 0 is the default and +inf none: 0 in a Criterion.
+void readBounds(const CriterionRequest& request, Criterion& criterion, Problems& problems)
 {
-  if (criterion.set == Criterion::Set::REACHABLE && (request.psi_min != 0.0 || request.psi_max != 0.0))
+  bool any_without_effect = false;
+  for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
+  {
+    const double value = request.*FIELDS[k].request;
+    const bool is_optional = CRITERION_BOUNDS[k].is_optional;
+    const bool is_none = is_optional && value == std::numeric_limits<double>::infinity();
+    any_without_effect |= !is_optional && criterion.set == Criterion::Set::REACHABLE && value != 0.0;
+    double& bound = criterion.*FIELDS[k].value;
+    bound = is_none ? 0.0 : valueOr(value, bound);
+  }
+  if (any_without_effect)
     problems.push_back("psi_min and psi_max must be 0 unless the set is DEXTROUS: in a reachable set they are free");
-  criterion.psi_min = valueOr(request.psi_min, criterion.psi_min);
-  criterion.psi_max = valueOr(request.psi_max, criterion.psi_max);
-  criterion.force_min = boundOr(request.force_min, criterion.force_min);
-  criterion.force_max = boundOr(request.force_max, criterion.force_max);
-  criterion.kappa_max = boundOr(request.kappa_max, criterion.kappa_max);
 }
 }  // namespace
 
@@ -59,18 +92,17 @@ Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults
   const std::size_t before = problems.size();
   readSet(request, criterion, problems);
   criterion.aspect = aspectOf(request.aspect, defaults.aspect, problems);
-  readFactors(request, criterion, problems);
+  readBounds(request, criterion, problems);
   if (request.joint_limits == CriterionRequest::ON || request.joint_limits == CriterionRequest::OFF)
     criterion.joint_limits = request.joint_limits == CriterionRequest::ON;
   else if (request.joint_limits != CriterionRequest::DEFAULT)
     problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
                        " must be DEFAULT = 0, ON = 1 or OFF = 2");
   const Origin origin = [&request](const std::string& name) {
-    const double value = name == "psi_min"     ? request.psi_min
-                         : name == "psi_max"   ? request.psi_max
-                         : name == "force_min" ? request.force_min
-                                               : request.force_max;
-    return value == 0.0 ? "the node's" : "";
+    bool is_given = false;
+    for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
+      is_given |= name == CRITERION_BOUNDS[k].name && request.*FIELDS[k].request != 0.0;
+    return is_given ? "" : "the node's";
   };
   validateCriterion(criterion, origin, problems);
   if (problems.size() == before)
@@ -114,10 +146,8 @@ double timeLimitOf(double requested, double node, double longest, Problems& prob
 
 Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Problems& problems)
 {
-  if (aspect == 0)
-    return fallback;
   if (aspect <= Hypotheses::BOTH)
-    return fromNumber(aspect);
+    return fromNumber(aspect, ASPECT_NAMES, fallback);
   problems.push_back("aspect = " + std::to_string(aspect) + " must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for " +
                      name(fallback));
   return fallback;
@@ -125,40 +155,38 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
 
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy)
 {
-  const bool dextrous = criterion.set == Criterion::Set::DEXTROUS;
   Hypotheses message;
   message.machine = in.machine->name();
   message.geometry_hash = in.geometry_hash;
   message.root = in.root;
   message.version = version();
-  message.set = dextrous ? Hypotheses::DEXTROUS : Hypotheses::REACHABLE;
+  message.set = toNumber(criterion.set);
   message.aspect = toNumber(criterion.aspect);
-  message.psi_min = dextrous ? criterion.psi_min : 0.0;
-  message.psi_max = dextrous ? criterion.psi_max : 0.0;
-  message.force_min = criterion.force_min;
-  message.force_max = criterion.force_max;
-  message.kappa_max = criterion.kappa_max;
+  for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
+    message.*FIELDS[k].hypotheses = CRITERION_BOUNDS[k].isAskedBy(criterion) ? criterion.*FIELDS[k].value : 0.0;
   message.joint_limits = criterion.joint_limits;
   message.accuracy = accuracy;
   return message;
 }
 
+Criterion criterionOf(const Hypotheses& hypotheses)
+{
+  Criterion criterion;
+  criterion.set = fromNumber(hypotheses.set, SET_NAMES, Criterion::Set::REACHABLE);
+  criterion.aspect = fromNumber(hypotheses.aspect, ASPECT_NAMES, Criterion::Aspect::OWN);
+  for (const MessageFields& fields : FIELDS)
+    criterion.*fields.value = hypotheses.*fields.hypotheses;
+  criterion.joint_limits = hypotheses.joint_limits;
+  return canonical(criterion);
+}
+
 std::string captionOf(const Hypotheses& hypotheses, const std::string& precision)
 {
   constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
-  Criterion criterion;
-  criterion.set = hypotheses.set == Hypotheses::DEXTROUS ? Criterion::Set::DEXTROUS : Criterion::Set::REACHABLE;
-  criterion.aspect = fromNumber(hypotheses.aspect);
-  criterion.psi_min = hypotheses.psi_min;
-  criterion.psi_max = hypotheses.psi_max;
-  criterion.force_min = hypotheses.force_min;
-  criterion.force_max = hypotheses.force_max;
-  criterion.kappa_max = hypotheses.kappa_max;
-  criterion.joint_limits = hypotheses.joint_limits;
   TextStream text;
   text << hypotheses.machine << ", geometry " << hypotheses.geometry_hash.substr(0, ENOUGH) << ", pkm_workspace "
        << hypotheses.version << '\n'
-       << describe(criterion);
+       << describe(criterionOf(hypotheses));
   if (!precision.empty())
     text << ", " << precision << ' ' << hypotheses.accuracy << " m";
   return text.str();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/parameters.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/paving/paving.h"
@@ -122,23 +124,22 @@ Entry entry(T& target, const std::string& expected)
   return { expected, [&target](const XmlRpcValue& value) { return read(value, target); } };
 }
 
-template <class Choice>
-Entry oneOf(Choice& target, const std::map<std::string, Choice>& choices, const std::string& expected)
+/// @param names of the enumeration, in its order
+template <class Choice, std::size_t N>
+Entry oneOf(Choice& target, const std::array<const char*, N>& names)
 {
-  const auto set = [&target, choices](const XmlRpcValue& value) {
+  std::string expected = std::string("a text: ") + names[0];
+  for (std::size_t k = 1; k < N; ++k)
+    expected += (k + 1 < N ? ", " : " or ") + std::string(names[k]);
+  const auto set = [&target, &names](const XmlRpcValue& value) {
     std::string word;
-    const bool known = read(value, word) && choices.count(word) > 0;
-    target = known ? choices.at(word) : target;
-    return known;
+    const auto name = read(value, word) ? std::find(names.begin(), names.end(), word) : names.end();
+    if (name != names.end())
+      target = static_cast<Choice>(name - names.begin());
+    return name != names.end();
   };
   return { expected, set };
 }
-
-const std::map<std::string, Criterion::Set> SETS = { { "dextrous", Criterion::Set::DEXTROUS },
-                                                     { "reachable", Criterion::Set::REACHABLE } };
-const std::map<std::string, Criterion::Aspect> ASPECTS = { { "own", Criterion::Aspect::OWN },
-                                                           { "other", Criterion::Aspect::OTHER },
-                                                           { "both", Criterion::Aspect::BOTH } };
 
 /// The shape is given by these parameters.
 struct ShapeNames
@@ -151,17 +152,12 @@ struct ShapeNames
 Table tableOf(Parameters& parameters, ShapeNames& names)
 {
   RegionQuery& query = parameters.query;
-  return {
+  Table table = {
     { "shape", entry(names.shape, "a text: cube, square, box, sphere, disc or cylinder") },
     { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
     { "ratio", entry(names.ratio, "two numbers [least, largest] > 0, without unit") },
-    { "set", oneOf(query.criterion.set, SETS, "a text: dextrous or reachable") },
-    { "aspect", oneOf(query.criterion.aspect, ASPECTS, "a text: own, other or both") },
-    { "psi_min", entry(query.criterion.psi_min, "a number > 0, without unit") },
-    { "psi_max", entry(query.criterion.psi_max, "a number >= psi_min, without unit") },
-    { "force_min", entry(query.criterion.force_min, "a number > 0, or 0 for none, without unit") },
-    { "force_max", entry(query.criterion.force_max, "a number >= force_min, or 0 for none, without unit") },
-    { "kappa_max", entry(query.criterion.kappa_max, "a number >= 1, or 0 for none, without unit") },
+    { "set", oneOf(query.criterion.set, SET_NAMES) },
+    { "aspect", oneOf(query.criterion.aspect, ASPECT_NAMES) },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
     { "accuracy", entry(parameters.accuracy, "a number >= 0 [m]") },
     { "search_box", entry(query.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
@@ -178,6 +174,9 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    table[bound.name] = entry(query.criterion.*bound.value, allowedInWords(bound));
+  return table;
 }
 
 /// Parameters that belong to others and may be private all the same.

@@ -5,6 +5,9 @@
 #include <regex>
 
 #include "node_client.h"
+#include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/ros/criterion_message.h"
 
 namespace pkm_workspace
 {
@@ -28,6 +31,21 @@ CriterionRequest psi(double least, double largest)
   return criterion;
 }
 }  // namespace
+
+TEST(CriterionMessage, givesBackEachBoundOfTheHypotheses)
+{
+  const FramedMachine in{ "base_link", std::make_shared<Machine>(orthoglide()), "", {} };
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    for (const double value : { 1.25, 1.5 })
+    {
+      Criterion criterion;
+      criterion.set = bound.is_optional ? Criterion::Set::REACHABLE : Criterion::Set::DEXTROUS;
+      criterion.aspect = Criterion::Aspect::OTHER;
+      criterion.joint_limits = true;
+      criterion.*bound.value = value;
+      EXPECT_TRUE(criterionOf(hypothesesOf(in, criterion, 0.0)) == criterion) << bound.name;
+    }
+}
 
 TEST(SetCriterion, computesAgainAndLatches)
 {

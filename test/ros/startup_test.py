@@ -9,6 +9,7 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from pkm_workspace.msg import CriterionRequest
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 
 NAN = float("nan")
@@ -43,7 +44,8 @@ BAD_PARAMETERS = [
     ({"diagnostic_period": "often"}, r"diagnostic_period = often must be a number from"),
     ({"rails": "rail_x"}, r"rails = rail_x must be a list of three names"),
     ({"rails": ["rail_x", "rail_y", "elbow"]}, r"elbow"),
-    ({"psi_mim": 0.4}, r"psi_mim = 0.4 is not a parameter of this node; these are: accuracy, "),
+    ({"psi_mim": 0.4}, r"psi_mim = 0.4 is not a parameter of this node; these are: accuracy, "
+     + "".join(rf"(?=.*\b{name}\b)" for name in CriterionRequest.__slots__)),
 ]
 
 BAD_DESCRIPTIONS = [

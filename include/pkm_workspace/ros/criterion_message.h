@@ -39,6 +39,8 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
 Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);
+/// The criterion of these hypotheses, canonical.
+Criterion criterionOf(const Hypotheses& hypotheses);
 /// What a picture holds for, in two short lines: machine and geometry, version, criterion, accuracy.
 /// @param precision what the accuracy [m] is called; empty: it is not told
 std::string captionOf(const Hypotheses& hypotheses, const std::string& precision);

@@ -24,9 +24,9 @@ struct Parameters
     query.criterion = defaultCriterion();
   }
 
-  /// ~shape, ~proportions, ~psi_min, ~psi_max, ~joint_limits, ~search_box, ~threads, ~max_memory: that the boxes of one
-  /// computation may take [bytes], and ~time_limit, which is also the most that a request may ask for: a service cannot
-  /// be cancelled. In (0, 86400] [s].
+  /// ~shape, ~proportions, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~search_box,
+  /// ~threads, ~max_memory: that the boxes of one computation may take [bytes], and ~time_limit, which is also the most
+  /// that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
   double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
   UrdfOptions urdf;                  ///< ~rails and ~tcp_links
