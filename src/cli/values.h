@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/interval/box.h"
 #include "pkm_workspace/region/path.h"
-#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/report/containment_sentence.h"
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/report/binding_limit.h"
-#include "pkm_workspace/common/text.h"
 
 namespace pkm_workspace
 {

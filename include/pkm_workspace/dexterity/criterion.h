@@ -55,6 +55,7 @@ struct Criterion
   Interval largestFactor() const;
 };
 
+/// Whether they ask for the same: criterion_bytes.h.
 bool operator==(const Criterion& a, const Criterion& b);
 
 /// All that the criterion asks for, in words; each number tells itself from all others.
