@@ -31,6 +31,8 @@ Json jsonOf(const Comparison& study)
   json["center"] = found ? toJson(study.region.center) : Json();
   json["size"] = study.region.size;
   json["size_upper_bound"] = study.region.size_upper_bound;
+  json["status"] = name(study.region.status);
+  json["message"] = study.region.message;
   if (isSolid(*study.region.shape))
   {
     json["volume"] = study.region.volume;
@@ -66,12 +68,13 @@ Json jsonOf(const PaperRow& row)
            { "holds", row.holds ? Json(*row.holds) : Json() } };
 }
 
-/// Lines of one quantity for each machine, so that what is compared stands together.
+/// Lines of one quantity for each machine, so that what is compared stands together. Of a machine without a region
+/// there is one, which says why.
 std::string table(const std::vector<Comparison>& studies)
 {
   std::vector<Words> rows = { { "quantity", "machine", "value", "scaled to size 1" } };
   std::vector<std::vector<Figure>> figures;
-  std::size_t count = 0;
+  std::size_t count = 1;
   for (const Comparison& study : studies)
   {
     figures.push_back(figuresOf(study));
@@ -82,6 +85,9 @@ std::string table(const std::vector<Comparison>& studies)
       if (k < figures[m].size())
         rows.push_back({ figures[m][k].label, studies[m].machine.name(), describe(figures[m][k].value),
                          describe(figures[m][k].scaled(studies[m].region.size)) });
+      else if (k == 0)
+        rows.push_back({ sizeOf(*studies[m].region.shape), studies[m].machine.name(), "none",
+                         "(" + studies[m].region.message + ")" });
   return aligned(rows, Align::LEFT);
 }
 
@@ -89,14 +95,18 @@ std::string singularities(const std::vector<Comparison>& studies)
 {
   std::vector<Words> rows = { { "singularities", "machine", "serial", "parallel" } };
   for (const Comparison& study : studies)
+  {
+    const std::string name = study.machine.name();
     if (study.region.size > 0.0)
     {
-      const std::string name = study.machine.name();
       rows.push_back(
           { "in the region", name, verdictOn(least(study.in_region.serial)), verdictOn(study.in_region.parallel) });
       rows.push_back({ "within the strokes", name, verdictOn(least(study.in_ranges.serial)),
                        verdictOn(study.in_ranges.parallel) });
     }
+    else
+      rows.push_back({ "in the region", name, "no region", "" });
+  }
   return aligned(rows, Align::LEFT);
 }
 
@@ -163,7 +173,7 @@ public:
 private:
   Answer answerMachines(const Tell& tell)
   {
-    query_.budget.time_limit /= static_cast<double>(machines_.count());
+    query_.budget = query_.budget.inTurns(static_cast<double>(machines_.count()));
     std::vector<Comparison> studies;
     Json json = { { "machines", Json::array() } };
     std::string regions;

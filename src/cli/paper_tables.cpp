@@ -58,7 +58,7 @@ public:
   {
     query_.accuracy = accuracy;
     query_.budget = budget;
-    query_.budget.time_limit /= PARTS;
+    query_.budget = query_.budget.inTurns(PARTS);
   }
 
   std::vector<PaperRow> run()

@@ -89,7 +89,8 @@ public:
       path_.read(words[0], problems);
       throwProblems(problems);
     });
-    options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", 0.0, false }, "speed of the tool along the path");
+    options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
+                   "speed of the tool along the path");
     options.count("max-looks", query_.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
@@ -206,7 +207,7 @@ private:
     {
       const std::string joint = "'" + machine_.machine().legs()[i].joint + "'";
       rows.push_back({ "rho of " + joint, bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
-      rows.push_back({ "speed of " + joint, "up to " + roundedUp(motion.joint_speed[i], 6) + " m/s" });
+      rows.push_back({ "speed of " + joint, "up to " + significantAbove(motion.joint_speed[i], 6) + " m/s" });
     }
   }
 

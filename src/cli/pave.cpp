@@ -105,8 +105,9 @@ private:
   {
     options.check({ "max-memory" }, [this](Problems& problems) {
       const std::int64_t most = query_.budget.max_memory;
-      if (most >= Budget::LEAST_MEMORY && shared(most) < Budget::LEAST_MEMORY)
-        problems.push_back("too little for " + std::to_string(aspects().size()) + " runs of at least " +
+      const auto runs = static_cast<std::int64_t>(aspects().size());
+      if (most >= Budget::LEAST_MEMORY && most / runs < Budget::LEAST_MEMORY)
+        problems.push_back("too little for " + std::to_string(runs) + " runs of at least " +
                            std::to_string(Budget::LEAST_MEMORY) + " bytes each");
     });
   }
@@ -123,12 +124,6 @@ private:
   /// Which of these is asked for.
   std::size_t asked() const { return query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0; }
 
-  template <class Number>
-  Number shared(Number limit) const
-  {
-    return limit / static_cast<Number>(aspects().size());
-  }
-
   bool isSection() const { return !query_.box && slidesAlongRails(machine_.machine(), query_.criterion); }
 
   std::vector<PavingQuery> queries() const
@@ -138,8 +133,7 @@ private:
     {
       PavingQuery query = query_;
       query.criterion.aspect = aspect;
-      query.budget.time_limit = shared(query_.budget.time_limit);
-      query.budget.max_memory = shared(query_.budget.max_memory);
+      query.budget = query_.budget.inTurns(static_cast<double>(aspects().size())).sharedBy(aspects().size());
       queries.push_back(query);
     }
     return queries;
@@ -180,9 +174,7 @@ private:
     const Interval size(paving.volumeLower(), paving.volumeUpper());
     if (query.criterion.boundsFactors())
       return size;
-    Budget budget = query.budget;
-    if (budget.time_limit > 0.0)
-      budget.time_limit = std::max(1e-9, budget.time_limit - paving.seconds);
+    const Budget budget = query.budget.within(std::max(1e-9, query.budget.time_limit - paving.seconds));
     return intersection(size, reachableVolume(machine_.machine(), query.criterion, paving, budget));
   }
 

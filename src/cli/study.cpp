@@ -83,7 +83,7 @@ public:
     Progress progress(progress_);
     query_.region.budget.stop = stopOnSignal();
     if (parts_ > 0)
-      query_.region.budget.time_limit /= 2.0;
+      query_.region.budget = query_.region.budget.inTurns(2.0);
     query_.progress = [&progress, this](const StudyProgress& state) {
       progress.tell(query_.family.parameter + " " + nearly(state.parameter) + ", size " +
                     describe(Interval(state.size, state.size_upper_bound)) + ", " + std::to_string(state.parts_open) +

@@ -86,6 +86,8 @@ std::string Quantity::describe() const
     return unit.empty() ? "a number" : "a number [" + unit + "]";
   if (lower == -upper)
     return "a number [" + unit + "] within " + exact(upper) + " " + unit;
+  if (std::isfinite(upper))
+    return "from " + exact(lower) + " to " + exact(upper) + (unit.empty() ? "" : " " + unit);
   return (lower_allowed ? ">= " : "> ") + exact(lower) + (unit.empty() ? ", without unit" : " " + unit);
 }
 

@@ -32,7 +32,7 @@ struct Quantity
   double upper = std::numeric_limits<double>::infinity();
 
   bool allows(double value) const;
-  /// "> 0 m", ">= 0 m", "a number [m]": for help texts and for refusals.
+  /// "> 0 m", ">= 0 m", "from 1 to 2 m", "a number [m]": for help texts and for refusals.
   std::string describe() const;
 };
 

@@ -32,8 +32,22 @@ Budget Budget::sharedBy(std::size_t computations) const
 {
   Budget share = *this;
   if (max_memory > 0)
+  {
     share.max_memory = std::max<std::int64_t>(LEAST_MEMORY, max_memory / static_cast<std::int64_t>(computations));
+    share.whole_memory = whole_memory > 0 ? whole_memory : max_memory;
+  }
   return share;
+}
+
+Budget Budget::within(double seconds) const
+{
+  Budget part = *this;
+  if (time_limit > 0.0)
+  {
+    part.time_limit = seconds;
+    part.whole_time = whole_time > 0.0 ? whole_time : time_limit;
+  }
+  return part;
 }
 
 std::string Budget::endedBy(double seconds, std::int64_t boxes, bool out_of_memory) const
@@ -44,9 +58,11 @@ std::string Budget::endedBy(double seconds, std::int64_t boxes, bool out_of_memo
   else if (max_boxes > 0 && boxes >= max_boxes)
     text << "the limit of " << max_boxes << (max_boxes == 1 ? " box" : " boxes");
   else if (out_of_memory)
-    text << "the limit of " << max_memory << " bytes of memory";
+    text << (whole_memory > 0 ? "its share of " : "") << "the limit of "
+         << (whole_memory > 0 ? whole_memory : max_memory) << " bytes of memory";
   else if (isOver(seconds))
-    text << "the time limit of " << time_limit << " s";
+    text << (whole_time > 0.0 ? "its share of " : "") << "the time limit of "
+         << (whole_time > 0.0 ? whole_time : time_limit) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

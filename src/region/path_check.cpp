@@ -202,7 +202,8 @@ PathResult PathChecker::finish()
 
 void PathQuery::validate(Problems& problems) const
 {
-  validatePositive("tool_speed", tool_speed, "m/s", problems);
+  if (!(tool_speed >= SLOWEST_TOOL && tool_speed <= FASTEST_TOOL))
+    complain(problems, "tool_speed = ", tool_speed, " m/s must be from 1e-9 to 1e9 m/s");
   if (max_looks <= 0)
     problems.push_back("max_looks = " + std::to_string(max_looks) + " must be positive");
   if (looks_per_piece < 0)

@@ -45,7 +45,7 @@ std::vector<BestParameter> bestOfParts(const StudyQuery& query, int count, const
   part.progress = nullptr;
   Budget& budget = part.region.budget;
   budget = budget.sharedBy(static_cast<std::size_t>(std::min(count, budget.threads)));
-  budget.time_limit /= std::max(1.0, static_cast<double>(count) / budget.threads);
+  budget = budget.inTurns(std::max(1.0, static_cast<double>(count) / budget.threads));
   if (budget.max_boxes > 0)
     budget.max_boxes = std::max<std::int64_t>(1, budget.max_boxes / count);
   const std::vector<Interval> ranges = equalParts(query.range, count);

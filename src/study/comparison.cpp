@@ -49,7 +49,7 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
   const Criterion::Aspect aspect = query.criterion.aspect;
   if (aspect == Criterion::Aspect::BOTH)
     throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");
-  study.query.budget.time_limit /= PARTS;
+  study.query.budget = query.budget.inTurns(PARTS);
   study.query.progress = [&](const RegionProgress& state) {
     tell(machine.name() + ", largest region: " +
          (query.ratio ? "volume " + bracket(state.volume, state.volume_upper_bound) + " m^3"
@@ -88,6 +88,11 @@ Interval Figure::scaled(double size) const
   return value.isBounded() ? value / unit : Interval(lower.lower(), value.upper());
 }
 
+std::string sizeOf(const Shape& shape)
+{
+  return shape.name() + ": " + shape.sizeMeaning();
+}
+
 std::vector<Figure> figuresOf(const Comparison& study)
 {
   const LargestRegion& region = study.region;
@@ -103,7 +108,7 @@ std::vector<Figure> figuresOf(const Comparison& study)
   // of a free ratio, what is bracketed is the volume
   const Interval size(region.size, region.ratio ? region.size : region.size_upper_bound);
   std::vector<Figure> figures = {
-    { "size", shape.name() + ": " + shape.sizeMeaning(), 1, size },
+    { "size", sizeOf(shape), 1, size },
     { "strut", "longest strut [m]", 1, strut },
     { "stroke", "largest stroke, Delta rho [m]", 1, study.largest(&JointRange::stroke) },
     { "across", "its part Delta f [m]", 1, study.largest(&JointRange::across) },

@@ -3,6 +3,7 @@
 """pkm path: lines and arcs against the borders that are known in closed form."""
 
 import math
+import re
 import unittest
 
 from pkm import ORTHOGLIDE, CommandTest, run
@@ -19,6 +20,13 @@ class Path(CommandTest):
         process = run("path", "--urdf", ORTHOGLIDE, *words)
         self.assertEqual(process.returncode, 2, process.stdout)
         return process.stderr
+
+    def test_speeds_are_short_texts(self):
+        words = ("path", "--urdf", ORTHOGLIDE, "--segment", "start 0 0 0", "--segment", "line 0.1 0 0")
+        for speed in (1e-9, 1e9):
+            text = self.text(*words, "--tool-speed", speed)
+            told = re.search(r"(?m)^  speed of 'rail_x' +up to (\S{1,11}) m/s$", text)
+            self.assertBrackets(speed, float(told[1]), 1.1 * speed)
 
     def test_a_path_inside(self):
         answer = self.path("start 0 0 0", "line -0.1 0 0  # and back", "arc 0 0.1 0 0.1 0 0",

@@ -83,8 +83,8 @@ class Pave(CommandTest):
 
     def test_budget_ends_with_an_honest_bracket(self):
         for budget, ended_by in ((("--max-boxes", 1000), "the limit of 1000 boxes"),
-                                 (("--max-memory", 100000), "the limit of 50000 bytes of memory"),
-                                 (("--time-limit", 1e-6), "the time limit of 5e-07 s")):
+                                 (("--max-memory", 100000), "its share of the limit of 100000 bytes of memory"),
+                                 (("--time-limit", 1e-6), "its share of the time limit of 1e-06 s")):
             with self.subTest(budget):
                 answer = self.pave(ORTHOGLIDE, *budget)
                 self.assertEqual(answer["ended_by"], ended_by)

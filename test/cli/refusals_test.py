@@ -128,6 +128,7 @@ REFUSALS = [
     ("study", "--range LO HI: the option is missing"),
     ("study --range 0 1", "give either --machine and --parameter, or two machines"),
     ("study --machine uranesx --range 0 1", "--machine uranesx: give either --machine and --parameter"),
+    (f"path --urdf {ORTHOGLIDE} --tool-speed 1e300", "--tool-speed 1e300: .*allowed: from 1e-09 to 1000000000 m/s"),
     (f"study --range 0 1 --urdf {ORTHOGLIDE}", "--urdf .*: give either"),
     (URANESX_STUDY + f"--range 0 1 --urdf {ORTHOGLIDE}", "--machine uranesx, --parameter R-r, --urdf .*: give either"),
     (URANESX_STUDY + "--range 0.5 0.3", "--range 0.5 0.3: LO is larger than HI"),

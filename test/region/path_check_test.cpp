@@ -254,7 +254,7 @@ TEST(PathCheck, endsUndecidedWhenToldTo)
   query.max_looks = 0;
   query.looks_per_piece = -1;
   expectThrow<std::invalid_argument>([&] { checkPath(orthoglide(), Criterion(), path, query); },
-                                     "tool_speed = -1 m/s must be positive[^]*max_looks = 0 must be "
+                                     "tool_speed = -1 m/s must be from 1e-9 to 1e9 m/s[^]*max_looks = 0 must be "
                                      "positive[^]*looks_per_piece = -1 must not be negative");
 }
 TEST(PathCheck, looksGrowWithThePath)

@@ -189,7 +189,9 @@ TEST(CheckPath, refusesWhatIsOutOfRange)
   expectRefused(with(line(point(0, 0, 0), point(std::nan(""), 0, 0))), "segments\\[0\\]: ");
   Request fast = with(line(point(0, 0, 0), point(0.1, 0, 0)));
   fast.tool_speed = -1.0;
-  expectRefused(fast, "tool_speed = -1");
+  expectRefused(fast, "tool_speed = -1 m/s must be from 1e-9 to 1e9 m/s");
+  fast.tool_speed = 1e300;
+  expectRefused(fast, "tool_speed = 1e\\+300 m/s must be from 1e-9 to 1e9 m/s");
   Request two = fast;
   two.tool_speed = 0.0;
   two.header.frame_id = "base_link";

@@ -18,9 +18,11 @@ struct Budget
   static constexpr std::int64_t LEAST_MEMORY = 4096;
 
   double time_limit = 0.0;                  ///< [s]; 0 = none, otherwise > 0
+  double whole_time = 0.0;                  ///< that time_limit is a share of [s]; 0: it is all there is
   std::int64_t max_boxes = 0;               ///< boxes looked at; 0 = no limit
   int threads = processors();               ///< 1 to 1024; no answer depends on it
   std::int64_t max_memory = 0;              ///< that boxes may take [bytes]; at least LEAST_MEMORY, or 0 = no limit
+  std::int64_t whole_memory = 0;            ///< that max_memory is a share of [bytes]; 0: it is all there is
   const std::atomic<bool>* stop = nullptr;  ///< when set, the computation ends with the best proven so far
 
   void validate(Problems& problems) const;
@@ -30,8 +32,12 @@ struct Budget
   bool isFull(std::size_t bytes) const;
   /// The same limits where memory is shared by so many computations at a time.
   Budget sharedBy(std::size_t computations) const;
-  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s"; empty when none of
-  /// the limits has.
+  /// The same limits with this time, a part of what there is [s], > 0. Where there is no limit, none.
+  Budget within(double seconds) const;
+  /// The same limits where the time is shared by so many computations, one after the other.
+  Budget inTurns(double computations) const { return within(time_limit / computations); }
+  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s", "its share of the
+  /// time limit of 60 s"; empty when none of the limits has.
   std::string endedBy(double seconds, std::int64_t boxes, bool out_of_memory = false) const;
 };
 
@@ -62,9 +68,7 @@ public:
   /// limit.
   Budget rest(std::int64_t boxes = 0) const
   {
-    Budget left = budget_;
-    if (left.time_limit > 0.0)
-      left.time_limit = std::max(1e-9, left.time_limit - seconds());
+    Budget left = budget_.within(std::max(1e-9, budget_.time_limit - seconds()));
     if (left.max_boxes > 0)
       left.max_boxes = std::max<std::int64_t>(1, left.max_boxes - boxes);
     return left;

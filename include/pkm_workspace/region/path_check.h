@@ -14,10 +14,14 @@
 
 namespace pkm_workspace
 {
+/// Speeds of the tool that may be asked for [m/s].
+constexpr double SLOWEST_TOOL = 1e-9;
+constexpr double FASTEST_TOOL = 1e9;
+
 /// What is asked about a path besides its criterion. Values with defaults; validate() tells what is wrong.
 struct PathQuery
 {
-  double tool_speed = 1.0;                  ///< constant along the path [m/s], > 0
+  double tool_speed = 1.0;                  ///< constant along the path [m/s], from SLOWEST_TOOL to FASTEST_TOOL
   std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0, and ...
   std::int64_t looks_per_piece = 16;        ///< ... as many more for each piece that the path has at first, >= 0
   const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided

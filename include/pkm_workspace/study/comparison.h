@@ -45,6 +45,9 @@ struct Figure
   Interval scaled(double size) const;
 };
 
+/// What a region's size is, for people: "cube: edge [m]".
+std::string sizeOf(const Shape& shape);
+
 /// All numbers of a study, always in the same order; none without a region.
 std::vector<Figure> figuresOf(const Comparison& study);
 
