@@ -7,6 +7,7 @@
 #include "pkm_workspace/dexterity/region_check.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -15,6 +16,9 @@ namespace cli
 {
 namespace
 {
+/// Boxes of centers that tell how far the rails go.
+constexpr std::size_t MOST_CARRIERS = 100;
+
 const char* nameOf(Share share)
 {
   constexpr const char* NAMES[] = { "all", "none", "some", "undecided" };  // as Share
@@ -83,7 +87,7 @@ public:
     json["bad_within"] = result.bad_within;
     json["boxes"] = result.boxes;
     if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
-      json["beyond_limits"] = toJson(machine, beyondLimits(machine, reach()));
+      addLimits(machine, criterion_, reach(), json);
     json["message"] = message(result);
     return { json, print(result) };
   }
@@ -96,15 +100,27 @@ private:
     limits.stop = stopOnSignalOrAfter(budget_.time_limit);
     limits.center_width *= machine_.machine().scale();
     limits.part_width *= machine_.machine().scale();
+    std::vector<Box> carriers;
+    limits.carried = [&carriers](const Box& part) {
+      if (carriers.size() < MOST_CARRIERS)
+        carriers.push_back(part);
+    };
     const Share share = checkCenters(test, *centers_, *sides_, limits);
-    Json json = contextOf(machine_.machine(), criterion_);
+    const Machine& machine = machine_.machine();
+    std::optional<JointReaches> reaches;
+    if (!criterion_.joint_limits && (share == Share::ALL || share == Share::SOME))
+      reaches = reachOverCenters(machine, criterion_, *centers_, *sides_, share, carriers);
+    Json json = contextOf(machine, criterion_);
     json["share"] = nameOf(share);
     json["centers"] = toJson(*centers_);
     json["sides"] = toJson(*sides_);
+    addLimits(machine, criterion_, reaches, json);
     const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(budget_.time_limit) : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
                              ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + reason + ".";
-    return { json, wrapped(text) + wrapped(definition(machine_.machine(), criterion_)) };
+    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
+    json["message"] = withRemark(text, remark);
+    return { json, wrapped(text) + wrapped(definition(machine, criterion_)) + wrapped(remark) };
   }
 
   void setShape(Problems& problems)

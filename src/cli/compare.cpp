@@ -46,8 +46,8 @@ Json jsonOf(const Comparison& study)
                                      { "lower", study.ranges.outer[i].lower() },
                                      { "upper", study.ranges.outer[i].upper() },
                                      { "inner", toJson(study.ranges.inner[i]) } });
-  if (found && !study.query.criterion.joint_limits)
-    json["beyond_limits"] = toJson(study.machine, beyondLimits(study.machine, reachOver(study.region.joint_ranges)));
+  if (found)
+    addLimits(study.machine, study.query.criterion, reachOver(study.region.joint_ranges), json);
   for (const Figure& figure : figuresOf(study))
   {
     json["figures"][figure.key] = toJson(figure.value);

@@ -4,6 +4,7 @@
 #include "output.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
 #include "region_option.h"
 
@@ -58,6 +59,7 @@ public:
     const GlobalConditioning found =
         region_.given() ? globalConditioning(machine, *region_.shape(), region_.center(), region_.size(), query_)
                         : workspaceConditioning(machine, criterion_, query_);
+    const std::optional<JointReaches> reaches = region_.given() ? std::nullopt : reachOver(machine, criterion_);
     Json json = contextOf(machine, criterion_);
     json["over"] = region_.given() ? "region" : "set";
     json["index"] = toJson(found.index);
@@ -66,7 +68,8 @@ public:
     json["complete"] = found.complete;
     json["boxes"] = found.boxes;
     json["seconds"] = found.seconds;
-    return { json, print(found) };
+    addLimits(machine, criterion_, reaches, json);
+    return { json, print(found) + wrapped(remarkOnLimits(machine, criterion_, reaches)) };
   }
 
 private:

@@ -163,18 +163,13 @@ private:
     json["rho_bounds"] = there.has_values ? toJson(there.rho) : Json();
     json["binding"] = toJson(machine, there.binding());
     json["message"] = message(machine, there, quality(criterion_));
-    if (there.verdict == BoxVerdict::INSIDE && !criterion_.joint_limits)
-      addLimits(there, json);
+    if (there.verdict == BoxVerdict::INSIDE)
+    {
+      const JointReaches reaches = reachAt(there.rho);
+      addLimits(machine, criterion_, reaches, json);
+      json["message"] = withRemark(json["message"], remarkOnLimits(machine, criterion_, reaches));
+    }
     return json;
-  }
-
-  void addLimits(const PointEvaluation& there, Json& json) const
-  {
-    const Machine& machine = machine_.machine();
-    const JointReaches reaches = reachAt(there.rho);
-    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
-    json["beyond_limits"] = toJson(machine, beyondLimits(machine, reaches));
-    json["message"] = json["message"].get<std::string>() + (remark.empty() ? "" : " ") + remark;
   }
 
   /// A row for each point; only the columns' widths are known before.
@@ -207,7 +202,7 @@ private:
         left == 0 ? ""
                   : std::to_string(left) + " points are left out: " +
                         (isTimeOver() ? timeIsOver(time_limit_) : "a request to stop ended the proof") + ".";
-    const std::string remark = reaches ? remarkOnLimits(machine_.machine(), criterion_, *reaches) : "";
+    const std::string remark = remarkOnLimits(machine_.machine(), criterion_, reaches);
     return text.empty() ? remark : withRemark(text, remark);
   }
 

@@ -28,8 +28,8 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["size"] = region.size;
   json["size_upper_bound"] = region.size_upper_bound;
   json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
-  if (found && !query.criterion.joint_limits)
-    json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOver(region.joint_ranges)));
+  if (found)
+    addLimits(machine, query.criterion, reachOver(region.joint_ranges), json);
   json["boxes"] = region.boxes;
   json["verification_boxes"] = region.verification_boxes;
   json["seconds"] = region.seconds;
@@ -69,9 +69,7 @@ public:
     return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which "
            "that is proved, and an upper bound above which no such region exists, wherever its center. Along "
            "parallel rails the center has the height of the zero configuration, or of the middle of --search-box; as "
-           "near "
-           "to it as the joint limits let the region. Ctrl-C "
-           "ends the search with the best proved so far.";
+           "near to it as the joint limits let the region. Ctrl-C ends the search with the best proved so far.";
   }
 
   Words examples() const override

@@ -110,6 +110,13 @@ Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond)
   return json;
 }
 
+void addLimits(const Machine& machine, const Criterion& criterion, const std::optional<JointReaches>& reaches,
+               Json& json)
+{
+  if (!criterion.joint_limits)
+    json["beyond_limits"] = toJson(machine, beyondLimits(machine, reaches));
+}
+
 bool isSolid(const Shape& shape)
 {
   return (shape.halfExtents().array() > 0.0).all();

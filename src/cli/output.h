@@ -50,6 +50,9 @@ std::string name(LargestRegion::Status status);
 std::string definition(const Machine& machine, const Criterion& criterion);
 /// One object for each end of the limits that is passed where they are not asked for: joint, limit and by, how far.
 Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond);
+/// The member beyond_limits of an answer without joint limits.
+void addLimits(const Machine& machine, const Criterion& criterion, const std::optional<JointReaches>& reaches,
+               Json& json);
 /// "0.0123 s".
 std::string seconds(double value);
 /// "(x, y, z) m" with every digit.

@@ -112,8 +112,8 @@ public:
     json["end"] = name(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? toJson(*result.motion) : Json();
-    if (result.motion && !criterion_.joint_limits)
-      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reach_));
+    if (result.motion)
+      addLimits(machine, criterion_, reach_, json);
     json["message"] = message(result);
     Answer answer{ json, print(result) };
     answer.long_members["segments"] = [this](std::ostream& out) {
@@ -180,7 +180,7 @@ private:
   {
     std::string text =
         describe(result, machine_.machine(), [this](std::size_t segment) { return path_.place(segment); });
-    if (result.motion && !criterion_.joint_limits)
+    if (result.motion)
       text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reach_));
     if (result.verdict == Containment::UNDECIDED && isTimeOver())
       text += " Here " + timeIsOver(time_limit_) + ".";

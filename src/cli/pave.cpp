@@ -10,6 +10,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/paving_file.h"
 #include "pkm_workspace/paving/reachable_volume.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -88,6 +89,8 @@ public:
       paved_.sizes.push_back(sizeOf(queries[k], paved_.pavings.back()));
     }
     paved_.asked = asked();
+    if (!query_.criterion.joint_limits)
+      paved_.reaches = reachOver(machine_.machine(), paved_.pavings[paved_.asked]);
     paved_.ended_by = endedBy(queries, paved_.pavings);
     paved_.is_section = isSection();
     paved_.most_listed = list_boxes_;

@@ -107,6 +107,7 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
   json["ended_by"] = paved.ended_by.empty() ? Json() : Json(paved.ended_by);
+  addLimits(machine, whole.criterion, paved.reaches, json);
   return json;
 }
 
@@ -145,7 +146,8 @@ std::string print(const Machine& machine, const Paved& paved)
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(pavings)) },
   };
   return "Paving of the points of machine '" + machine.name() + "' that are " + quality(whole.criterion) + "\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, whole.criterion));
+         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, whole.criterion)) +
+         wrapped(remarkOnLimits(machine, whole.criterion, paved.reaches));
 }
 }  // namespace
 

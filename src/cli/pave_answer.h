@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "command.h"
 #include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/region/beyond_limits.h"
 
 namespace pkm_workspace
 {
@@ -26,11 +28,12 @@ struct Paved
 {
   /// Of the set in both aspects where that was asked for, then in the machine's own aspect and in the other one.
   std::vector<Paving> pavings;
-  std::vector<Interval> sizes;   ///< enclose their volumes, or areas
-  std::size_t asked = 0;         ///< which of them was asked for
-  std::string ended_by;          ///< what ended one of them early, if anything: "the time limit of 20 s"
-  bool is_section = false;       ///< the box is the plane across the rails along which nothing changes
-  std::int64_t most_listed = 0;  ///< boxes that are listed in the JSON object
+  std::vector<Interval> sizes;          ///< enclose their volumes, or areas
+  std::size_t asked = 0;                ///< which of them was asked for
+  std::string ended_by;                 ///< what ended one of them early, if anything: "the time limit of 20 s"
+  bool is_section = false;              ///< the box is the plane across the rails along which nothing changes
+  std::optional<JointReaches> reaches;  ///< of the one asked for, where joint limits are left aside
+  std::int64_t most_listed = 0;         ///< boxes that are listed in the JSON object
 };
 
 /// What pkm pave says; what is long refers to @p paved.

@@ -3,6 +3,7 @@
 #include "comparison.h"
 #include "output.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "pkm_workspace/report/singularity_sentence.h"
 #include "progress.h"
 #include "region_option.h"
@@ -27,11 +28,9 @@ public:
   std::string description() const override
   {
     return "Proves that no point of a region, or no point that the struts reach, is singular, or a box in which one "
-           "is. "
-           "Serial: a strut at right angles to its rail, eta_i = 0. Parallel: struts in parallel planes, det A = 0. "
-           "With "
-           "--json: serial (one for each leg) and parallel, each with exists (true, false, or null when undecided), "
-           "least (bounds of the least |eta_i| or |det A|) and box.";
+           "is. Serial: a strut at right angles to its rail, eta_i = 0. Parallel: struts in parallel planes, "
+           "det A = 0. With --json: serial (one for each leg) and parallel, each with exists (true, false, or null "
+           "when undecided), least (bounds of the least |eta_i| or |det A|) and box.";
   }
 
   Words examples() const override
@@ -73,6 +72,7 @@ public:
     query.budget.stop = stopOnSignal();
     const Progress progress(progress_);
     const Singularities found = findSingularities(machine, query);
+    const std::optional<JointReaches> reaches = this->reaches();
     Json json = contextOf(machine, criterion_);
     json["over"] = region_.given() ? "region" : "set";
     json["serial"] = Json::array();
@@ -80,11 +80,22 @@ public:
       json["serial"].push_back(toJson(leg));
     json["parallel"] = toJson(found.parallel);
     json["seconds"] = found.seconds;
-    json["message"] = describe(found, machine, query.budget);
-    return { json, print(found, json["message"]) };
+    const std::string message = describe(found, machine, query.budget);
+    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
+    addLimits(machine, criterion_, reaches, json);
+    json["message"] = withRemark(message, remark);
+    return { json, print(found, message) + wrapped(remark) };
   }
 
 private:
+  /// How far the rails go for the points that count, where limits are left aside.
+  std::optional<JointReaches> reaches() const
+  {
+    const Machine& machine = machine_.machine();
+    return region_.given() ? reachOver(machine, criterion_, *region_.shape(), region_.center(), region_.size())
+                           : reachOver(machine, criterion_);
+  }
+
   std::string print(const Singularities& found, const std::string& message) const
   {
     const Machine& machine = machine_.machine();

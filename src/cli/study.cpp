@@ -155,8 +155,8 @@ private:
     json["size"] = region.size;
     json["size_upper_bound"] = finite(region.size_upper_bound);
     json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
-    if (found && !query_.region.criterion.joint_limits)
-      json["beyond_limits"] = cli::toJson(machine, beyondLimits(machine, reachOver(region.joint_ranges)));
+    if (found)
+      addLimits(machine, query_.region.criterion, reachOver(region.joint_ranges), json);
     json["candidates"] = toJson(best.candidates);
     json["parts"] = toJson(parts);
     json["boxes"] = region.boxes;

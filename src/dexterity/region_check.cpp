@@ -155,6 +155,12 @@ Share verifyBox(const BoxClassifier& classify, const Box& box, double part_width
 Share checkCenters(const BoxClassifier& classify, const Box& centers, const Eigen::Vector3d& edges,
                    const BisectionLimits& limits)
 {
-  return bisect(centers, limits.center_width, limits.max_centers, limits.stop, CenterCheck(classify, edges, limits));
+  const CenterCheck check(classify, edges, limits);
+  return bisect(centers, limits.center_width, limits.max_centers, limits.stop, [&](const Box& part) {
+    const Share share = check(part);
+    if (share == Share::ALL && limits.carried)
+      limits.carried(part);
+    return share;
+  });
 }
 }  // namespace pkm_workspace

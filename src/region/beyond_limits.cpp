@@ -14,6 +14,8 @@ namespace pkm_workspace
 namespace
 {
 constexpr double INF = std::numeric_limits<double>::infinity();
+/// No rail goes so far [m]: what does is without end.
+constexpr double LONGEST = 1e300;
 /// Of a longer path some are left out: what is said of the limits is no verdict.
 constexpr std::size_t MOST_SEGMENTS = 10000;
 
@@ -39,7 +41,7 @@ std::string phrase(const Leg& leg, const BeyondLimit& beyond)
 {
   const double limit = beyond.is_upper ? leg.limits.upper() : leg.limits.lower();
   return "'" + leg.joint + "' would leave its " + (beyond.is_upper ? "upper" : "lower") + " limit, " + exact(limit) +
-         " m, by at least " + atLeast(beyond.by) + " m";
+         " m, by " + (beyond.by.lower() > LONGEST ? "any length" : "at least " + atLeast(beyond.by) + " m");
 }
 }  // namespace
 
@@ -116,13 +118,13 @@ JointReaches PathReach::over(const PathMotion& motion) const
   return reaches;
 }
 
-std::vector<BeyondLimit> beyondLimits(const Machine& machine, const JointReaches& reaches)
+std::vector<BeyondLimit> beyondLimits(const Machine& machine, const std::optional<JointReaches>& reaches)
 {
   std::vector<BeyondLimit> found;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; reaches && i < 3; ++i)
   {
     const Interval& limits = machine.leg(i).limits;
-    const JointReach& reach = reaches[static_cast<std::size_t>(i)];
+    const JointReach& reach = (*reaches)[static_cast<std::size_t>(i)];
     if (reach.least.upper() < limits.lower())
       found.push_back({ i, false, Interval(limits.lower()) - reach.least });
     if (reach.largest.lower() > limits.upper())
@@ -131,16 +133,17 @@ std::vector<BeyondLimit> beyondLimits(const Machine& machine, const JointReaches
   return found;
 }
 
-std::string remarkOnLimits(const Machine& machine, const Criterion& criterion, const JointReaches& reaches)
+std::string remarkOnLimits(const Machine& machine, const Criterion& criterion,
+                           const std::optional<JointReaches>& reaches)
 {
-  if (criterion.joint_limits || !machine.hasJointLimits())
+  if (criterion.joint_limits || !machine.hasJointLimits() || !reaches)
     return "";
   std::string text;
   for (const BeyondLimit& beyond : beyondLimits(machine, reaches))
     text += (text.empty() ? "" : "; ") + phrase(machine.leg(beyond.leg), beyond);
   if (text.empty())
-    text = staysWithinLimits(machine, reaches) ? "all rails stay within their limits"
-                                               : "whether all rails stay within their limits is not proved";
+    text = staysWithinLimits(machine, *reaches) ? "all rails stay within their limits"
+                                                : "whether all rails stay within their limits is not proved";
   return "Joint limits are off: " + text + ".";
 }
 

@@ -6,6 +6,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/reply.h"
@@ -34,6 +35,12 @@ std::string sentence(const GlobalConditioning& found, const Budget& budget)
   const std::string remark = remarkOn(found, budget);
   return "global conditioning index from " + bracket(found.index.lower(), found.index.upper()) +
          (remark.empty() ? ", to the accuracy asked for" : ". " + remark);
+}
+
+GlobalConditioning overRegion(const Machine& machine, const Request& request, const ConditioningQuery& query)
+{
+  const Solid solid = fromMessage(request.solid);
+  return globalConditioning(machine, *solid.shape, fromMessage(request.center), solid.size, query);
 }
 }  // namespace
 
@@ -65,15 +72,10 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   const std::string asked =
       "global conditioning index of " + (of_region ? "a region" : "all points that are " + describe(criterion));
   ROS_INFO_STREAM_NAMED("server", "computing: " << asked);
-  GlobalConditioning found;
-  if (of_region)
-  {
-    const Solid solid = fromMessage(request.solid);
-    found = globalConditioning(*in.machine, *solid.shape, fromMessage(request.center), solid.size, query);
-  }
-  else
-    found = withRemedy({ "joint_limits = ON", "over = REGION" },
-                       [&] { return workspaceConditioning(*in.machine, criterion, query); });
+  const GlobalConditioning found =
+      of_region ? overRegion(*in.machine, request, query) : withRemedy({ "joint_limits = ON", "over = REGION" }, [&] {
+        return workspaceConditioning(*in.machine, criterion, query);
+      });
   response.header = headerOf(in, ros::Time::now());
   response.hypotheses = hypothesesOf(in, criterion, query.accuracy);
   response.index = toMessage(found.index);
@@ -81,7 +83,8 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   response.complete = found.complete;
   response.boxes = found.boxes;
   response.seconds = found.seconds;
-  response.message = sentence(found, query.budget);
+  const auto reaches = of_region ? std::nullopt : reachOver(*in.machine, criterion);
+  response.message = withRemark(sentence(found, query.budget), remarkOnLimits(*in.machine, criterion, reaches));
   ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
   context_.health.noteComputation({ asked, response.message, found.seconds, !found.complete });
 }

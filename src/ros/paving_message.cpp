@@ -4,6 +4,7 @@
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -89,6 +90,9 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
   message.seconds = paving.seconds;
   message.message = paving.complete ? "Every box down to the resolution was looked at."
                                     : "A limit or a cancel ended it early: more time or memory give closer bounds.";
+  if (!paving.criterion.joint_limits)
+    message.message = withRemark(message.message, remarkOnLimits(*question.in.machine, paving.criterion,
+                                                                 reachOver(*question.in.machine, paving)));
   if (question.max_listed > 0)
   {
     const BoxTree coarse = tree.coarsened(question.max_listed);

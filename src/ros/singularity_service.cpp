@@ -10,6 +10,7 @@
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/set_reach.h"
 #include "pkm_workspace/report/singularity_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -113,7 +114,7 @@ SingularityService::SingularityService(NodeContext& context)
 
 SingularityService::Question SingularityService::read(const Request& request) const
 {
-  Question question{ SingularityQuery(), context_.frames.machineIn(request.header.frame_id) };
+  Question question{ SingularityQuery(), context_.frames.machineIn(request.header.frame_id), {}, {} };
   Problems problems;
   requireUnused(request, problems);
   if (request.over > Request::REGION)
@@ -130,7 +131,9 @@ SingularityService::Question SingularityService::read(const Request& request) co
     const Solid solid = fromMessage(request.solid);
     requireFinite("center", fromMessage(request.center), problems);
     throwProblems(problems);
-    question.query = singularitiesOver(solid.shape, fromMessage(request.center), solid.size);
+    question.center = fromMessage(request.center);
+    question.solid = solid;
+    question.query = singularitiesOver(solid.shape, question.center, solid.size);
   }
   question.query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
   question.query.aspect = aspectOf(request.aspect, Criterion::Aspect::BOTH, problems);
@@ -142,6 +145,13 @@ SingularityService::Question SingularityService::read(const Request& request) co
   question.query.validate(problems);
   throwProblems(problems);
   return question;
+}
+
+std::optional<JointReaches> SingularityService::reachesOf(const Question& question, const Criterion& criterion)
+{
+  const Machine& machine = *question.in.machine;
+  return question.solid ? reachOver(machine, criterion, *question.solid->shape, question.center, question.solid->size)
+                        : reachOver(machine, criterion);
 }
 
 void SingularityService::find(const Request& request, FindSingularities::Response& response)
@@ -168,9 +178,11 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
     response.serial.push_back(findingOf(answer));
   response.parallel = findingOf(found.parallel);
   response.seconds = found.seconds;
-  response.message = describe(found, *question.in.machine, question.query.budget);
+  const Machine& machine = *question.in.machine;
+  response.message = withRemark(describe(found, machine, question.query.budget),
+                                remarkOnLimits(machine, criterion, reachesOf(question, criterion)));
   ROS_INFO_STREAM_NAMED("server", response.message << " " << found.seconds << " s");
   context_.health.noteComputation({ asked, response.message, found.seconds, isStopped(found) });
-  markers_.publish(inRoot(markersOf(response, *question.in.machine), question.in, context_.frames.root().frame));
+  markers_.publish(inRoot(markersOf(response, machine), question.in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

@@ -65,6 +65,37 @@ class Limits(CommandTest):
         within = self.answer("evaluate", "--urdf", near, "--point", 0, 0, 0, "--joint-limits", "off")
         self.assertRegex(within["message"], "Joint limits are off: all rails stay within their limits.$")
 
+    def test_sets_and_boxes_of_many_centers_tell_it_too(self):
+        near = ("--urdf", self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.15)))
+        sides = ("--sides", 0.1, 0.1, 0)
+        for words, least in ((("check", *near, "--centers", 0.1, 0.2, -0.01, 0.01, 0, 0, *sides), 0.1),
+                             (("check", *near, "--centers", 0, 2, -0.01, 0.01, 0, 0, *sides), 0.1),
+                             (("pave", *near, "--resolution", 0.1), 0.4),
+                             (("pave", *near, "--resolution", 0.1, "--box", 0.1, 0.2, -0.1, 0.1, -0.1, 0.1), 0.04),
+                             (("conditioning", *near, "--accuracy", 0.3), 0.4),
+                             (("singularities", *near, "--max-boxes", 100), 0.9),
+                             (("singularities", *near, "--shape", "cube", "--center", 0.2, 0, 0, "--size", 0.1), 0.1)):
+            with self.subTest(words):
+                answer, text = (tell(*words, "--joint-limits", "off") for tell in (self.answer, self.text))
+                ends = {(one["joint"], one["limit"]): one for one in answer["beyond_limits"]}
+                beyond = ends["rail_x", "upper"]
+                self.assertBrackets(least, beyond["by"][0], beyond["by"][1])
+                told = re.search(r"Joint limits are off: .*'rail_x' would leave its upper limit, 0.15 m, by at least "
+                                 r"([0-9.]+) m", re.sub(r"\s+", " ", text))
+                self.assertLessEqual(float(told[1]), beyond["by"][0])
+                self.assertIn(told[0], answer.get("message", told[0]))
+                kept = self.answer(*words)
+                self.assertNotIn("beyond_limits", kept)
+                self.assertNotIn("Joint limits are off", self.text(*words))
+        nowhere = ("check", *near, "--centers", 2, 3, 2, 3, 2, 3, "--sides", 0.1, 0.1, 0.1, "--joint-limits", "off")
+        self.assertEqual(self.answer(*nowhere)["beyond_limits"], [])
+        self.assertNotIn("Joint limits are off", self.text(*nowhere))
+
+    def test_a_set_along_parallel_rails_passes_limits_by_any_length(self):
+        for words in (("pave", "--resolution", 0.1), ("conditioning", "--accuracy", 0.3)):
+            text = self.text(words[0], "--urdf", URANESX, *words[1:], "--joint-limits", "off")
+            self.assertRegex(re.sub(r"\s+", " ", text), r"'rail_3' would leave its lower limit, \S+ m, by any length;")
+
     def test_a_set_that_limits_leave_without_an_end_names_the_rails_and_the_remedy(self):
         """Limits of a thousand kilometres: only a box bounds what lies along parallel rails."""
         far = self.file("far.urdf", self.with_limits(URANESX, -0.05, 1e6))

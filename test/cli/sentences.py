@@ -47,7 +47,9 @@ CLAIMS = {
                r"run along, and in every plane parallel to it the area is the same\.)?(?: Ended early by .*)?",
                claims.volume),
     "singularities": (r"(?:Undecided: (?P<open>.*?), where .*?\. )?Proved: (?:no point that counts is singular|"
-                      rf"there are (?:(?P<there>.*), and )?no others)\.(?: {N}.*)?", table_claims.singularities),
+                      r"there are (?:(?P<there>.*), and )?no others)\.(?: (?P<remark>Joint limits are off: .*)|"
+                      rf" {N}.*)?",
+                      table_claims.singularities),
     "study": (STUDY, table_claims.study),
     "comparison": (r"Largest (?P<shape>\w+) of machine '(?P<name>.*)': proved to the accuracy asked for\.",
                    table_claims.comparison),

@@ -86,6 +86,20 @@ def singularities(case, match):
             hold(status in ("none", "undecided"), status)
             hold(not values or min(values) >= lower * (1 - 1e-9), name, "has", values and min(values), "below", lower)
             hold(status != "none" or not region or min(values) <= upper * 1.02, "nothing below", upper, values)
+    if match["remark"]:
+        remark_on_points(case, match["remark"], points)
+
+
+def remark_on_points(case, text, points):
+    """What samples prove, which come near the ends of the joint values only."""
+    rhos = [state.rhos for state in map(case.machine.state, points) if state.in_reach]
+    for k, leg in enumerate(case.machine.legs[float]):
+        beyond = {"lower": leg.limits[0] - min(rho[k] for rho in rhos),
+                  "upper": max(rho[k] for rho in rhos) - leg.limits[1]}
+        for end, by in beyond.items():
+            told = re.search(rf"'{leg.name}' would leave its {end} limit, {N} m, by at least {N} m", text)
+            hold(told or by <= 0 or "is not proved" in text, leg.name, "leaves its", end, "limit by", by, "and:", text)
+            hold(not told or float(told[2]) <= by + 0.5 * case.machine.span, text, "but it is", by)
 
 
 def study(case, match):

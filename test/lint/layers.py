@@ -25,7 +25,7 @@ LAYERS = {
     "dexterity": BELOW_DEXTERITY,
     "region": BELOW_DEXTERITY | {"dexterity"},
     "paving": BELOW_DEXTERITY | {"dexterity"},
-    "report": BELOW_DEXTERITY | {"dexterity", "region"},
+    "report": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
     "cli": CORE,

@@ -42,6 +42,17 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
   EXPECT_LT(set.index.upper, 0.55);
 }
 
+TEST(ComputeConditioning, saysWhatItMeansForLimitsThatAreLeftAside)
+{
+  constexpr const char* REMARK = "Joint limits are off: all rails stay within their limits.";
+  Request request;
+  request.accuracy = 0.3;
+  EXPECT_EQ(std::string::npos, call<ComputeConditioning>("compute_conditioning", request).message.find("limits are"));
+  request.criterion.joint_limits = CriterionRequest::OFF;
+  const std::string message = call<ComputeConditioning>("compute_conditioning", request).message;
+  EXPECT_NE(std::string::npos, message.find(REMARK)) << message;
+}
+
 TEST(ComputeConditioning, tellsThatNoPointIsReached)
 {
   Request request;

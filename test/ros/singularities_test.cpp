@@ -86,9 +86,27 @@ TEST(FindSingularities, countsPointsWhereDetAIsZeroInEachAspect)
     EXPECT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
     EXPECT_EQ(
         "Proved: there are serial singularities of 'rail_x', 'rail_y', 'rail_z', parallel singularities, and no "
-        "others.",
+        "others. Joint limits are off: all rails stay within their limits.",
         found.message);
   }
+}
+
+TEST(FindSingularities, saysWhatItMeansForLimitsThatAreLeftAside)
+{
+  constexpr const char* REMARK = "Joint limits are off: all rails stay within their limits.";
+  Request request;
+  EXPECT_EQ(std::string::npos, find(request).message.find("Joint limits")) << find(request).message;
+  EXPECT_NE(std::string::npos, find(overCube(0.5)).message.find(REMARK)) << find(overCube(0.5)).message;
+}
+
+TEST(FindSingularities, saysWhatLeftSomethingUndecided)
+{
+  Request request;
+  request.over = Request::REACHABLE;
+  request.time_limit = 1e-9;
+  const std::string message = find(request).message;
+  EXPECT_NE(std::string::npos, message.find("parallel singularities, where the time limit of 1e-09 s ended the search"))
+      << message;
 }
 
 TEST(FindSingularities, takesRoundSolids)

@@ -78,6 +78,15 @@ TEST(ComputeWorkspace, beginsAnewForAnotherQuestion)
   EXPECT_EQ(0.1, workspace.hypotheses.accuracy);
 }
 
+TEST(ComputeWorkspace, saysWhatItMeansForLimitsThatAreLeftAside)
+{
+  constexpr const char* REMARK = " Joint limits are off: all rails stay within their limits.";
+  PavingRequest query = atResolution(0.1);
+  EXPECT_EQ(std::string::npos, approximate(query).message.find("Joint limits"));
+  query.criterion.joint_limits = CriterionRequest::OFF;
+  EXPECT_NE(std::string::npos, approximate(query).message.find(REMARK)) << approximate(query).message;
+}
+
 TEST(ComputeWorkspace, listsBoxesAsCoarselyAsItTakes)
 {
   PavingRequest query = atResolution(0.05);

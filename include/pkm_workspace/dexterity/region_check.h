@@ -29,6 +29,7 @@ struct BisectionLimits
   double part_width = 1e-5;                 ///< parts of one region no wider than this are not bisected [m]; > 0
   std::int64_t max_parts = 1000000;         ///< parts of one region; > 0
   const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
+  std::function<void(const Box&)> carried;  ///< if given, told boxes of centers all of which carry a valid region
 };
 
 /// M(B) by bisection (paper, section 2.2), on top of single looks: how many points of the box are valid. ALL stands for

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,12 +58,14 @@ struct BeyondLimit
   Interval by = 0.0;      ///< encloses how far [m], > 0
 };
 
-/// All of these; none where the machine has no joint limits.
-std::vector<BeyondLimit> beyondLimits(const Machine& machine, const JointReaches& reaches);
+/// All of these; none where the machine has no joint limits. @param reaches nothing of no point
+std::vector<BeyondLimit> beyondLimits(const Machine& machine, const std::optional<JointReaches>& reaches);
 
 /// What an answer without joint limits means for the limits, in a sentence: which rails would leave theirs and by how
-/// much, that none would, or that it is not proved. Empty where joint limits were asked for, or where there are none.
-std::string remarkOnLimits(const Machine& machine, const Criterion& criterion, const JointReaches& reaches);
+/// much, that none would, or that it is not proved. Empty where joint limits were asked for, where there are none, and
+/// of no point. Of a set or of several regions, "by at least" is about the point that is worst.
+std::string remarkOnLimits(const Machine& machine, const Criterion& criterion,
+                           const std::optional<JointReaches>& reaches);
 
 /// A message with the remark as a further sentence.
 std::string withRemark(const std::string& message, const std::string& remark);

@@ -3,8 +3,12 @@
 
 #include <pkm_workspace/FindSingularities.h>
 
+#include <optional>
+
 #include "pkm_workspace/dexterity/singularity.h"
+#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/ros/node_context.h"
+#include "pkm_workspace/ros/solid_message.h"
 
 namespace pkm_workspace
 {
@@ -21,9 +25,13 @@ private:
   {
     SingularityQuery query;
     FramedMachine in;
+    std::optional<Solid> solid;  ///< of a region
+    Eigen::Vector3d center;      ///< of that
   };
 
   Question read(const FindSingularities::Request& request) const;
+  /// How far the rails go for the points that count, where limits are left aside.
+  static std::optional<JointReaches> reachesOf(const Question& question, const Criterion& criterion);
   void find(const FindSingularities::Request& request, FindSingularities::Response& response);
 
   NodeContext& context_;
