@@ -69,7 +69,7 @@ public:
   {
     for (AffineForm<Real>& entry : matrix)
       entry = scaled(entry, 2);
-    for (std::size_t lane = 0; lane < count_; ++lane)
+    for (std::size_t lane = 0; lane < count_ && results_[lane].matrices < results_[lane].matrix.size(); ++lane)
     {
       SymmetricForms<double>& result = results_[lane].matrix[results_[lane].matrices++];
       for (std::size_t entry = 0; entry < 6; ++entry)
@@ -108,10 +108,11 @@ private:
              form.radius * factor };
   }
 
+  /// What there is no room for is left out: the others hold all the same.
   void append(const AffineForm<Real>& form, Mask useful)
   {
     for (std::size_t lane = 0; lane < count_; ++lane)
-      if (useful[static_cast<int>(lane)])
+      if (useful[static_cast<int>(lane)] && results_[lane].forms < NecessaryForms::MOST)
         results_[lane].form[results_[lane].forms++] = laneOf(form, static_cast<int>(lane));
   }
 

@@ -76,7 +76,7 @@ inline Real largestQuotient(const AffineForm<Real>& f, const AffineForm<Real>& g
   return select(least > Real(0), bound + pencil::noise(bound), Real(std::numeric_limits<double>::infinity()));
 }
 
-/// All numbers where a radicand is not proved to be above its floor, and positive, on the whole piece.
+/// All numbers where a b_i^2 is not proved to be above its floor, and positive, on the whole piece.
 template <class Real>
 inline PieceRanges<Real> rangesOver(const LegModels<Real>& legs, const MachineForms<Real>& forms,
                                     const SkewBox<Real>& points, const SkewBox<Real>& tangent)

@@ -50,9 +50,15 @@ std::optional<std::array<PlainState, 3>> legsAt(const Machine& machine, const Ve
   for (std::size_t i = 0; i < 3; ++i)
   {
     const PlainLeg<double> leg = plain(ofForms<double>(enclosedLeg(machine, static_cast<int>(i))));
-    evaluate(
-        leg, point, [](double x) { return std::sqrt(std::max(x, 0.0)); }, legs[i].state);
-    if (!(legs[i].state.squared_drive >= 0.0))
+    const double length = machine.legs()[i].length.mid();
+    double across = 0.0;
+    // the root of L^2 - |q|^2 that loses no digits where the two are near; the row is q as yet
+    const auto root = [&, &q = legs[i].state.row](double) {
+      across = std::sqrt(squaredNorm(q));
+      return std::sqrt(std::max(0.0, (length - across) * (length + across)));
+    };
+    evaluate(leg, point, root, legs[i].state);
+    if (!(across <= length))
       return std::nullopt;
     legs[i].joint = jointOf(leg, point, legs[i].state);
   }

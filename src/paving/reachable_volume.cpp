@@ -48,7 +48,7 @@ struct Share
 };
 
 /// A point of the box is in the set exactly when no condition is violated there. The forms of limits and aspect hold
-/// where all struts reach only; elsewhere a radicand is negative, whose form always holds.
+/// where all struts reach only; elsewhere a b_i^2 is negative, whose form always holds.
 Interval shareOfSet(const MachineModel<double>& model, const Box& box)
 {
   const CenteredBox<double> centered(box);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/machine/leg_kinds.h"
 #include "pkm_workspace/region/containment.h"
 
 namespace pkm_workspace
@@ -34,13 +35,10 @@ auto& at(Array& array, int i)
 /// Encloses the joint values at those points of a box that the strut reaches.
 Interval jointsOver(const Machine& machine, int i, const Box& box)
 {
-  const Leg& leg = machine.leg(i);
-  const IntervalVector offset = enclose(box) - machine.center(i);
-  const Interval radicand = sqr(leg.length) - squaredNorm(machine.projector(i) * offset);
-  if (radicand.upper() < 0.0)
-    return Interval::empty();
-  const Interval height = sqrt(Interval(std::max(0.0, radicand.lower()), radicand.upper()));
-  return dot(leg.axis, offset) - Interval(leg.working_mode) * height;
+  const EnclosedLeg leg = enclosedLeg(machine, i);
+  LegState<Interval, IntervalVector> state;
+  evaluate(leg, enclose(box), sqrtAboveZero, state);
+  return state.squared_drive.upper() < 0.0 ? Interval::empty() : jointOf(leg, enclose(box), state);
 }
 
 /// Takes in boxes that together hold all points of a set: open ones, and those all of whose points belong to it.

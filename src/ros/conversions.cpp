@@ -95,7 +95,11 @@ std::uint8_t solidType(const Shape& shape)
 {
   if (shape.isBox())
     return shape_msgs::SolidPrimitive::BOX;
-  return shape.dimensions(1.0).size() == 1 ? shape_msgs::SolidPrimitive::SPHERE : shape_msgs::SolidPrimitive::CYLINDER;
+  if (shape.ballRadius(1.0))
+    return shape_msgs::SolidPrimitive::SPHERE;
+  if (shape.isPrism())
+    return shape_msgs::SolidPrimitive::CYLINDER;
+  throw std::logic_error("a shape without a type in SolidPrimitive.msg: " + shape.name());
 }
 
 void describeRegion(const LargestRegion& region, const Shape& shape, Region& message)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <Eigen/Dense>
 
 #include "pkm_workspace/machine/catalogue.h"
@@ -197,4 +199,17 @@ TEST(Orthoglide, refusesLengthsThatAreNone)
 }
 }  // namespace
 }  // namespace test
+
+/// Squares of L and q that are rounded apart told that a strut at its very end does not reach.
+TEST(Orthoglide, reachesTheBorderAndKeepsDigitsThere)
+{
+  const Machine machine = orthoglide(0.31);
+  const auto border = inverseKinematics(machine, { 0.0, 0.31, 0.0 });
+  ASSERT_TRUE(border);
+  EXPECT_EQ((*border)[0], 0.31);
+  const double across = 0.31 * (1.0 - 1e-14);
+  const auto near = jacobians(machine, { 0.0, across, 0.0 });
+  ASSERT_TRUE(near);
+  EXPECT_NEAR(near->b[0] / std::sqrt((0.31 - across) * (0.31 + across)), 1.0, 1e-12);
+}
 }  // namespace pkm_workspace

@@ -31,7 +31,7 @@ struct NecessaryForms
   std::size_t matrices = 0;                      ///< one for each side on which the factors are bounded
   std::size_t forms = 0;                         ///< how many of the forms are in use; the aspect's only where in doubt
   std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, those that count, without unit
-  std::array<AffineForm<double>, MOST> form;     ///< without unit; the first ones are v^T S v for the matrices
+  std::array<AffineForm<double>, MOST> form;     ///< without unit
 };
 
 /// The arithmetic of the verdicts, for several boxes at a time: as many as the processor works on side by side. What it

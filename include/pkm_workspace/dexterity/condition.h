@@ -52,14 +52,18 @@ struct NearPlace
 constexpr double NO_MARGIN = 1e300;
 
 // Each file of conditions/ defines one condition of a criterion (docs/theory.md): a class template over the type of
-// number, made of a machine and a criterion, or of itself in another type of number, with two functions.
+// number, made of a machine and a criterion, or of itself in another type of number, with two functions, and with
+// BOUNDS_FACTORS, whether it is one of those that Criterion::boundsFactors() tells of.
 //
-//   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for:
+//   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for.
+//   A visitor that isSettled() hears no more.
 //     scalar(subject, form, power)      the condition holds where the form, in m^power, is not negative
 //     matrix(form)                      it holds where the matrix [m^2] is positive semidefinite
-//     sufficient(form)                  it holds there, and may hold elsewhere
+//     sufficient(form)                  it holds where all such matrices are, and maybe elsewhere
 //     necessary(form)                   it holds nowhere where the form is negative
-//     oneSigned(at_center, form(), power)  the form has no zero where the other conditions hold
+//     oneSigned(at_center, form(), power)  it holds where the form is positive, which has no zero where the conditions
+//                                       before it in the list hold
 //     scalarOr(form, power, exist, alternative())  as scalar; or all of the alternative forms are positive
+//   visitScalar(place, visitor)  of conditions that bound no factors, the same in scalar() only
 //   margin(place)  how far the point is within the condition, without unit, in floating point
 }  // namespace pkm_workspace

@@ -6,8 +6,8 @@
 
 namespace pkm_workspace
 {
-/// The same question with the values of a Criterion() where nothing depends on them. Two criteria that ask for the same
-/// have the same bytes; operator== compares these.
+/// The same question with the values of a Criterion() where nothing depends on them. What is not asked for makes no
+/// difference to the bytes, which operator== compares.
 Criterion canonical(const Criterion& criterion);
 
 /// Puts the canonical criterion: set, aspect, the bounds in their order, joint limits.

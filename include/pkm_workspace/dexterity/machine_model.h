@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tuple>
+#include <type_traits>
 
 #include "pkm_workspace/dexterity/conditions/aspect_sign.h"
 #include "pkm_workspace/dexterity/conditions/condition_number.h"
@@ -12,8 +13,9 @@
 
 namespace pkm_workspace
 {
-/// The conditions of a criterion, in the order in which they are looked at: what costs least first. A new one is a file
-/// of conditions/ and an entry here.
+/// The conditions of a criterion, in the order in which they are looked at: what costs least first, but the aspect
+/// last, as a sign at one point counts only where the others keep det A from 0. A new one is a file of conditions/ and
+/// an entry here.
 template <class Real>
 using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, LargestFactor<Real>, LeastFactor<Real>,
                               ConditionNumber<Real>, AspectSign<Real>>;
@@ -71,9 +73,7 @@ public:
   void visitScalars(const MachineForms<Real>& forms, const Domain& box, Visitor& visitor) const
   {
     const Place<Real, Domain> place{ legs_, forms, box };
-    condition<Reach>().visit(place, visitor);
-    condition<JointLimits>().visit(place, visitor);
-    condition<AspectSign>().visitScalar(place, visitor);
+    std::apply([&](const auto&... condition) { (visitScalar(condition, place, visitor), ...); }, conditions_);
   }
 
   /// The least of all that the criterion wants not to be negative at the point p [m], without unit; floating point.
@@ -93,6 +93,17 @@ public:
 private:
   template <class>
   friend class MachineModel;
+
+  static_assert(std::is_same<std::tuple_element_t<std::tuple_size<Conditions<Real>>::value - 1, Conditions<Real>>,
+                             AspectSign<Real>>::value,
+                "the aspect is looked at last");
+
+  template <class Condition, class Where, class Visitor>
+  static void visitScalar(const Condition& condition, const Where& place, Visitor& visitor)
+  {
+    if constexpr (!Condition::BOUNDS_FACTORS)
+      condition.visitScalar(place, visitor);
+  }
 
   template <class... Each>
   static Conditions<Real> makeConditions(const Machine& machine, const Criterion& criterion, std::tuple<Each...>*)

@@ -13,6 +13,8 @@ template <class Real>
 class AspectSign
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = false;
+
   AspectSign(const Machine& machine, const Criterion& criterion)
     : is_asked_(criterion.aspect != Criterion::Aspect::BOTH)
     , is_settled_(criterion.settlesAspect())

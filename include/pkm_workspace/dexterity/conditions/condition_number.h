@@ -14,6 +14,8 @@ template <class Real>
 class ConditionNumber
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = true;
+
   ConditionNumber(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsCondition())
     , squared_(squared<Real>(criterion.kappa_max))

@@ -11,6 +11,8 @@ template <class Real>
 class JointLimits
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = false;
+
   JointLimits(const Machine& machine, const Criterion& criterion)
   {
     const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
@@ -40,6 +42,12 @@ public:
   {
     const AffineForm<Real> q = place.legs.joint(leg, place.forms, place.box);
     return (side == 0 ? q : -q) + limit_[leg][static_cast<std::size_t>(side)];
+  }
+
+  template <class Place, class Visitor>
+  void visitScalar(const Place& place, Visitor& visitor) const
+  {
+    visit(place, visitor);
   }
 
   template <class Place, class Visitor>

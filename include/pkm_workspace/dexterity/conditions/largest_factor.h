@@ -12,6 +12,8 @@ template <class Real>
 class LargestFactor
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = true;
+
   LargestFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsAbove())
     , squared_(is_asked_ ? squared<Real>(criterion.largestFactor()) : Enclosed<Real>())

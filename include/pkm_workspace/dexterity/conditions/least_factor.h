@@ -12,6 +12,8 @@ template <class Real>
 class LeastFactor
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = true;
+
   LeastFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsBelow())
     , minus_squared_(is_asked_ ? -squared<Real>(criterion.leastFactor()) : Enclosed<Real>())

@@ -11,10 +11,18 @@ template <class Real>
 class Reach
 {
 public:
+  static constexpr bool BOUNDS_FACTORS = false;
+
   Reach(const Machine& /*machine*/, const Criterion& criterion) : is_implied_(criterion.boundsAbove()) {}
   template <class Other>
   explicit Reach(const Reach<Other>& other) : is_implied_(other.is_implied_)
   {}
+
+  template <class Place, class Visitor>
+  void visitScalar(const Place& place, Visitor& visitor) const
+  {
+    visit(place, visitor);
+  }
 
   template <class Place, class Visitor>
   void visit(const Place& place, Visitor& visitor) const
