@@ -90,7 +90,8 @@ TEST(Containment, endsWithItsBudget)
   const auto expectUndecided = [&test](const Budget& budget, double size, const std::string& why) {
     const ContainmentResult result = checkContainment(test, *makeCube(), CUBE_CENTER, size, budget);
     EXPECT_EQ(result.verdict, Containment::UNDECIDED);
-    EXPECT_EQ(whyUndecided(result, budget), why);
+    EXPECT_EQ(describe(result, PointEvaluator(orthoglide(), Criterion()), *makeCube(), CUBE_CENTER, size, budget),
+              "Neither is proved: " + why + ".");
   };
   Budget budget;
   budget.max_boxes = 5;
@@ -110,10 +111,13 @@ TEST(Containment, saysWhereTheBorderIsWithinRounding)
   reachable.set = Criterion::Set::REACHABLE;
   const BoxTest test(orthoglide(), reachable);
   const Budget budget;
-  const ContainmentResult result = checkContainment(test, *makeBox({ 1.0, 0.0, 0.0 }), { 0.5, 0.0, 0.0 }, 1.0, budget);
+  const ShapePtr line = makeBox({ 1.0, 0.0, 0.0 });
+  const Eigen::Vector3d center(0.5, 0.0, 0.0);
+  const ContainmentResult result = checkContainment(test, *line, center, 1.0, budget);
   EXPECT_EQ(result.verdict, Containment::UNDECIDED);
   EXPECT_TRUE(result.is_within_rounding);
-  EXPECT_EQ(whyUndecided(result, budget), "the border of the set is within rounding of the region");
+  EXPECT_EQ(describe(result, PointEvaluator(orthoglide(), reachable), *line, center, 1.0, budget),
+            "Neither is proved: the border of the set is within rounding of the region.");
 }
 
 TEST(Shape, refusesProportionsThatMakeNoBox)
