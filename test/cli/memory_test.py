@@ -69,7 +69,7 @@ class Memory(CommandTest):
                             (("pave", *orthoglide), 8192)):  # two runs share it
             with self.subTest(words):
                 text = " ".join(self.text(*words, "--max-memory", most).split())
-                self.assertIn("the limit of 4096 bytes of memory", text)
+                self.assertIn(f"the limit of {most} bytes of memory", text)
 
     def test_without_memory_there_is_a_sentence(self):
         ended = []
