@@ -9,6 +9,19 @@
 
 namespace pkm_workspace
 {
+/// Ends the use of wide registers: what follows would be slower as long as their upper halves are in use, which the
+/// compiler does not see to where calls pass masks.
+template <class Real>
+struct WideRegisters
+{
+  ~WideRegisters()
+  {
+#ifdef __AVX__
+    __builtin_ia32_vzeroupper();
+#endif
+  }
+};
+
 template <class Real>
 class PackKernel : public BoxKernel
 {
@@ -23,6 +36,7 @@ public:
   void classify(const Box* boxes, std::size_t count, BoxVerdict* verdicts, AffineForm<double>* worst,
                 const HalfSpace* within) const override
   {
+    const WideRegisters<Real> wide;
     for (std::size_t first = 0; first < count; first += W)
     {
       const CenteredBox<Real> box = gather<Real>(boxes + first, count - first);
@@ -48,6 +62,7 @@ public:
   void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
                       std::size_t count, NecessaryForms* results) const override
   {
+    const WideRegisters<Real> wide;
     CenteredBox<Real> box;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -63,6 +78,7 @@ public:
   void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
                double* results) const override
   {
+    const WideRegisters<Real> wide;
     for (std::size_t first = 0; first < count; first += W)
     {
       Point p = gather<Real>(offsets + first, count - first);

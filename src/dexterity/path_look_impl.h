@@ -12,6 +12,7 @@ template <class Real>
 void PackKernel<Real>::look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts,
                             PieceMotion* motions) const
 {
+  const WideRegisters<Real> wide;
   for (std::size_t first = 0; first < count; first += W)
   {
     const std::size_t rest = count - first;
