@@ -28,7 +28,7 @@ struct Subject
   std::size_t leg = 0;  ///< where the condition is about one leg
 };
 
-/// Where a box may lie, for conditions to ask about it.
+/// A box, and the legs over it, for conditions to ask about.
 template <class Real, class Box>
 struct Place
 {
