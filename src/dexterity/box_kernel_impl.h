@@ -29,7 +29,9 @@ class PackKernel : public BoxKernel
   using Point = std::array<Real, 3>;
 
 public:
-  explicit PackKernel(const MachineModel<Real>& model) : model_(model) {}
+  explicit PackKernel(const MachineModel<Real>& model)
+    : model_(model), per_length_(powersPerLength(model.legs().squaredScale()))
+  {}
 
   std::size_t width() const override { return W; }
 
@@ -71,7 +73,7 @@ public:
     }
     box.slack = Real(centers.slack);
     for (std::size_t first = 0; first < count; first += W)
-      FormCollector<Real>(model_.legs().squaredScale(), results + first, count - first)
+      FormCollector<Real>(per_length_, results + first, count - first)
           .collect(model_, box.moved(Real(size), gather<Real>(offsets + first, count - first)));
   }
 
@@ -102,6 +104,7 @@ private:
   }
 
   MachineModel<Real> model_;
+  std::array<Real, 4> per_length_;
 };
 }  // namespace pkm_workspace
 

@@ -7,6 +7,18 @@
 
 namespace pkm_workspace
 {
+/// Powers of about 1 / the longest strut: powers of two, which round nothing.
+template <class Real>
+std::array<Real, 4> powersPerLength(const Real& squared_scale)
+{
+  int exponent = 0;
+  frexp(squared_scale[0], &exponent);
+  std::array<Real, 4> powers;
+  for (int power = 0; power < 4; ++power)
+    powers[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
+  return powers;
+}
+
 /// Collects what a criterion makes necessary over boxes side by side, for lanes one by one: visits its conditions.
 template <class Real>
 class FormCollector
@@ -15,15 +27,11 @@ class FormCollector
   static constexpr std::size_t W = Real::WIDTH;
 
 public:
-  /// @param squared_scale of the machine [m^2]: makes forms to be without unit
-  FormCollector(const Real& squared_scale, NecessaryForms* results, std::size_t count)
-    : results_(results), count_(std::min(count, W))
-  {
-    int exponent = 0;
-    frexp(squared_scale[0], &exponent);
-    for (int power = 0; power < 4; ++power)
-      per_scale_[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
-  }
+  /// Keeps a reference.
+  /// @param per_length powersPerLength() of the machine: makes forms to be without unit
+  FormCollector(const std::array<Real, 4>& per_length, NecessaryForms* results, std::size_t count)
+    : per_length_(per_length), results_(results), count_(std::min(count, W))
+  {}
 
   void collect(const MachineModel<Real>& model, const CenteredBox<Real>& box)
   {
@@ -69,11 +77,13 @@ public:
   {
     for (AffineForm<Real>& entry : matrix)
       entry = scaled(entry, 2);
-    for (std::size_t lane = 0; lane < count_ && results_[lane].matrices < results_[lane].matrix.size(); ++lane)
+    NecessaryForms* const end = results_ + count_;
+    int lane = 0;
+    for (NecessaryForms* forms = results_; forms != end && forms->matrices < forms->matrix.size(); ++forms, ++lane)
     {
-      SymmetricForms<double>& result = results_[lane].matrix[results_[lane].matrices++];
+      SymmetricForms<double>& result = forms->matrix[forms->matrices++];
       for (std::size_t entry = 0; entry < 6; ++entry)
-        result[entry] = laneOf(matrix[entry], static_cast<int>(lane));
+        result[entry] = laneOf(matrix[entry], lane);
     }
     if constexpr (W == 1)
       appendPlane(matrix);
@@ -99,10 +109,10 @@ private:
     }
   }
 
-  /// The form over a power of the machine's scale, to be without unit: powers of two, which round nothing.
+  /// The form over a power of the machine's scale, to be without unit; exact.
   AffineForm<Real> scaled(const AffineForm<Real>& form, int power) const
   {
-    const Real factor = per_scale_[static_cast<std::size_t>(power)];
+    const Real factor = per_length_[static_cast<std::size_t>(power)];
     return { form.center * factor,
              { form.gradient[0] * factor, form.gradient[1] * factor, form.gradient[2] * factor },
              form.radius * factor };
@@ -111,13 +121,15 @@ private:
   /// What there is no room for is left out: the others hold all the same.
   void append(const AffineForm<Real>& form, Mask useful)
   {
-    for (std::size_t lane = 0; lane < count_; ++lane)
-      if (useful[static_cast<int>(lane)] && results_[lane].forms < NecessaryForms::MOST)
-        results_[lane].form[results_[lane].forms++] = laneOf(form, static_cast<int>(lane));
+    NecessaryForms* const end = results_ + count_;
+    int lane = 0;
+    for (NecessaryForms* forms = results_; forms != end; ++forms, ++lane)
+      if (useful[lane] && forms->forms < NecessaryForms::MOST)
+        forms->form[forms->forms++] = laneOf(form, lane);
   }
 
+  const std::array<Real, 4>& per_length_;
   NecessaryForms* results_;
   std::size_t count_;
-  std::array<Real, 4> per_scale_;  ///< powers of about 1 / the longest strut
 };
 }  // namespace pkm_workspace

@@ -80,18 +80,22 @@ Bounds overflowed(double rounded)
   return rounded > 0.0 ? Bounds{ MAX, INF } : Bounds{ -INF, -MAX };
 }
 
-Bounds addAny(double a, double b)
+/// For finite operands and a finite sum.
+Bounds addFinite(double a, double b, double sum)
 {
-  const double sum = a + b;
-  if (std::isinf(a) || std::isinf(b))
-    return { sum, sum };
-  if (std::isinf(sum))
-    return overflowed(sum);
   const bool a_is_larger = std::abs(a) >= std::abs(b);
   const double larger = a_is_larger ? a : b;
   const double smaller = a_is_larger ? b : a;
   const double kept = sum - larger;  // exact in every mode
   return around(sum, smaller - kept);
+}
+
+Bounds addAny(double a, double b)
+{
+  const double sum = a + b;
+  if (std::isinf(a) || std::isinf(b))
+    return { sum, sum };
+  return std::isinf(sum) ? overflowed(sum) : addFinite(a, b, sum);
 }
 
 Bounds multiplyAny(double a, double b)
@@ -144,8 +148,9 @@ std::string defect()
 
 Bounds add(double a, double b)
 {
-  if ((isOrdinary(a) || isZero(a)) && (isOrdinary(b) || isZero(b)))
-    return addAny(a, b);
+  const double sum = a + b;
+  if ((isOrdinary(a) || isZero(a)) && (isOrdinary(b) || isZero(b)) && std::abs(sum) <= MAX)
+    return addFinite(a, b, sum);
   return subnormal::keeping([&] { return addAny(a, b); });
 }
 
@@ -153,8 +158,9 @@ Bounds multiply(double a, double b)
 {
   if (isZero(a) || isZero(b))
     return { 0.0, 0.0 };
-  if (isOrdinary(a * b))
-    return multiplyAny(a, b);
+  const double product = a * b;
+  if (isOrdinary(product))  // then both operands are finite
+    return around(product, std::fma(a, b, -product));
   return subnormal::keeping([&] { return multiplyAny(a, b); });
 }
 

@@ -67,7 +67,7 @@ public:
 
   /// Forms over the box, a CenteredBox or a SkewBox.
   template <class Domain>
-  MachineForms<Real> evaluate(const Domain& box) const
+  [[gnu::flatten]] MachineForms<Real> evaluate(const Domain& box) const
   {
     MachineForms<Real> forms;
     for (std::size_t i = 0; i < 3; ++i)

@@ -193,16 +193,22 @@ inline void addAlong(AffineVector<Real>& v, const AffineForm<Real>& f, const Enc
   v.axis = a.value;
 }
 
+namespace affine
+{
+/// The radius of one component.
+template <class Real>
+inline Real radiusOf(const AffineVector<Real>& v, std::size_t k)
+{
+  using std::abs;
+  return widened(v.radius + v.along * abs(v.axis[k]), Real(0), 0);
+}
+}  // namespace affine
+
 /// One component as a scalar form.
 template <class Real>
 inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
 {
-  using std::abs;
-  AffineForm<Real> form;
-  form.center = v.center[k];
-  form.gradient = v.linear[k];
-  form.radius = affine::widened(v.radius + v.along * abs(v.axis[k]), Real(0), 0);
-  return form;
+  return { v.center[k], v.linear[k], affine::radiusOf(v, k) };
 }
 
 /// Encloses a . (p - c) for p in the box. @param rows the first of which is a
@@ -219,7 +225,7 @@ inline AffineForm<Real> dotOffset(const EnclosedMatrix<Real>& rows, const Enclos
 template <class Real>
 inline Enclosed<Real> componentAtCenter(const AffineVector<Real>& v, std::size_t k)
 {
-  return { v.center[k], component(v, k).radius };
+  return { v.center[k], affine::radiusOf(v, k) };
 }
 
 namespace affine
@@ -246,8 +252,8 @@ inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVec
 
 /// Encloses det [u; v; w] at delta = 0.
 template <class Real>
-inline Enclosed<Real> determinantAtCenter(const AffineVector<Real>& u, const AffineVector<Real>& v,
-                                          const AffineVector<Real>& w)
+[[gnu::flatten]] inline Enclosed<Real> determinantAtCenter(const AffineVector<Real>& u, const AffineVector<Real>& v,
+                                                           const AffineVector<Real>& w)
 {
   const auto row = [](const AffineVector<Real>& r) {
     return std::array<Enclosed<Real>, 3>{ componentAtCenter(r, 0), componentAtCenter(r, 1), componentAtCenter(r, 2) };

@@ -18,11 +18,12 @@ public:
   DyadicPartition(double lower, double upper) : lower_(lower), upper_(upper), width_(upper - lower) {}
 
   /// A double next to the face number @p index = 0 ... 2^depth, within faceError() of where it is in real numbers.
+  /// @param depth 0 ... 31
   double face(int depth, std::uint32_t index) const
   {
     if (index == std::uint32_t(1) << depth)
       return upper_;
-    const double share = std::ldexp(static_cast<double>(index), -depth);  // exact
+    const double share = static_cast<double>(index) / parts(depth);  // exact: a power of two
     return std::min(std::max(lower_ + share * width_, lower_), upper_);
   }
   /// Encloses the length of every part at that depth, between faces that are doubles.
@@ -39,6 +40,7 @@ public:
   bool canDivide(int depth) const { return width(depth) > 64.0 * faceError(); }
 
 private:
+  static double parts(int depth) { return static_cast<double>(std::uint32_t(1) << depth); }
   /// Three roundings of numbers that are no larger than twice the larger bound.
   double faceError() const
   {
