@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/partial_mean.h"
 #include "pkm_workspace/interval/running_bracket.h"
@@ -43,7 +44,8 @@ Interval measureOf(const Box& box)
   return measure;
 }
 
-class Average
+/// The mean of the index, by dividing the parts that leave most of it open.
+class Average : public BranchingDefaults
 {
 public:
   Average(const Machine& machine, const BoxClassifier& set, const ConditioningQuery& query)
@@ -55,26 +57,41 @@ public:
     result_.dimension = static_cast<int>((box.lower.array() < box.upper.array()).count());
     addAll({ box });
     sumUp();
-    for (std::size_t next_look = 0; !parts_.empty() && !isOver() && !isFull();)
-    {
-      if (parts_.size() >= next_look)
-      {
-        sumUp();
-        if (widthNearly() <= query_.accuracy)
-          break;
-        next_look = static_cast<std::size_t>(GROWTH * static_cast<double>(parts_.size()));
-      }
-      const std::vector<Box> halves = takeHalves();
-      addAll(halves);
-      if (halves.empty() || parts_.empty())
-      {
-        sumUp();
-        break;
-      }
-    }
-    result_.out_of_memory = isFull();
+    const Ending ending = branchAndBound(parts_, *this, budget_);
+    if (ending == Ending::EXHAUSTED || ending == Ending::INDIVISIBLE)
+      sumUp();
+    result_.out_of_memory = ending == Ending::MEMORY;
     conclude();
     return result_;
+  }
+
+  std::int64_t looks() const { return result_.boxes; }
+  static std::size_t bytes(std::size_t open) { return PART_BYTES * (open + std::min(WAVE, open)); }
+  static bool isDivisible(const Part& part) { return part.box.canBisect(part.box.widestAxis()); }
+
+  std::size_t waveSize()
+  {
+    if (parts_.size() >= next_look_)
+    {
+      sumUp();
+      if (widthNearly() <= query_.accuracy)
+        return 0;
+      next_look_ = static_cast<std::size_t>(GROWTH * static_cast<double>(parts_.size()));
+    }
+    return WAVE;
+  }
+
+  bool expand(const std::vector<Part>& wave)
+  {
+    std::vector<Box> halves;
+    for (const Part& part : wave)
+    {
+      const auto pair = part.box.bisect(part.box.widestAxis());
+      halves.push_back(pair.first);
+      halves.push_back(pair.second);
+    }
+    addAll(halves);
+    return true;
   }
 
 private:
@@ -86,11 +103,6 @@ private:
     return criterion;
   }
 
-  bool isOver() const { return budget_.isOver(result_.boxes); }
-
-  /// Whether another wave may not fit into the memory.
-  bool isFull() const { return query_.budget.isFull(PART_BYTES * (parts_.size() + std::min(WAVE, parts_.size()))); }
-
   void addAll(const std::vector<Box>& boxes)
   {
     std::vector<std::optional<Part>> found(boxes.size());
@@ -98,10 +110,7 @@ private:
     result_.boxes += static_cast<std::int64_t>(boxes.size());
     for (const std::optional<Part>& part : found)
       if (part)
-      {
-        parts_.push_back(*part);
-        std::push_heap(parts_.begin(), parts_.end());
-      }
+        parts_.put(*part);
   }
 
   /// Nothing for a box that does not belong to the set.
@@ -124,32 +133,13 @@ private:
     return std::max({ index.width(), std::abs(index.lower() - estimate_), std::abs(index.upper() - estimate_) });
   }
 
-  /// Takes the most uncertain parts away. @return their halves; nothing when doubles cannot divide them
-  std::vector<Box> takeHalves()
-  {
-    std::vector<Box> result;
-    for (std::size_t k = 0; k < WAVE && !parts_.empty(); ++k)
-    {
-      const Box box = parts_.front().box;
-      const int axis = box.widestAxis();
-      if (!box.canBisect(axis))
-        break;
-      const auto halves = box.bisect(axis);
-      result.push_back(halves.first);
-      result.push_back(halves.second);
-      std::pop_heap(parts_.begin(), parts_.end());
-      parts_.pop_back();
-    }
-    return result;
-  }
-
   /// The width of the result in floating point, as far as the parts' uncertainties tell it.
   double widthNearly()
   {
     double measure = 0.0;
     double sum = 0.0;
     double uncertainty = 0.0;
-    for (const Part& part : parts_)
+    for (const Part& part : parts_.all())
     {
       uncertainty += part.uncertainty;
       measure += part.whole ? part.measure.mid() : 0.0;
@@ -164,7 +154,7 @@ private:
   void sumUp()
   {
     PartialMean mean;
-    for (const Part& part : parts_)
+    for (const Part& part : parts_.all())
       part.whole ? mean.addWhole(part.measure, part.index) : mean.addBorder(part.measure, part.index);
     const Interval measure = mean.measure();
     const Interval index = mean.mean();
@@ -185,7 +175,8 @@ private:
   const ConditioningQuery& query_;
   ThreadPool pool_;
   const RunningBudget budget_;
-  std::vector<Part> parts_;  ///< a heap, the most uncertain first
+  BestFirst<Part> parts_;      ///< the most uncertain first
+  std::size_t next_look_ = 0;  ///< at the width: with so many parts
   double estimate_ = 0.5;
   RunningBracket measure_;
   RunningBracket index_{ 0.0, 1.0 };

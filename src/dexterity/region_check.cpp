@@ -4,42 +4,83 @@
 #include <algorithm>
 #include <vector>
 
+#include "pkm_workspace/common/branch_and_bound.h"
+
 namespace pkm_workspace
 {
 namespace
 {
-/// Bisects the box, depth first, until @p judge answers ALL or NONE for every part, or has given both answers.
+/// Bisects a box, depth first, until @p judge answers ALL or NONE for every part, or has given both answers.
+template <class Judge>
+class Bisect : public BranchingDefaults
+{
+public:
+  Bisect(double min_width, const Judge& judge) : min_width_(min_width), judge_(judge) {}
+
+  /// Limits of branchAndBound().
+  struct Limits
+  {
+    std::int64_t max_boxes;
+    const std::atomic<bool>* stop;
+
+    bool hasSpent(std::int64_t boxes) const { return boxes == max_boxes; }
+    bool isOver() const { return stop && *stop; }
+    static bool isFull(std::size_t /*bytes*/) { return false; }
+  };
+
+  Share run(const Box& box, const Limits& limits)
+  {
+    open_.put(box);
+    if (branchAndBound(open_, *this, limits) == Ending::BUDGET)
+      return Share::UNDECIDED;
+    if (isSettled())
+      return Share::SOME;
+    return undecided_ ? Share::UNDECIDED : all_ ? Share::ALL : Share::NONE;
+  }
+
+  std::int64_t looks() const { return boxes_; }
+  bool isSettled() const { return all_ && none_; }
+
+  bool expand(const std::vector<Box>& wave)
+  {
+    for (const Box& part : wave)
+      look(part);
+    return true;
+  }
+
+private:
+  void look(const Box& part)
+  {
+    ++boxes_;
+    const Share share = judge_(part);
+    const int axis = part.widestAxis();
+    const bool is_open = share == Share::UNDECIDED;
+    if (is_open && part.width(axis) > min_width_ && part.canBisect(axis))
+    {
+      const auto halves = part.bisect(axis);
+      open_.put(halves.first);
+      open_.put(halves.second);
+      return;
+    }
+    all_ = all_ || share == Share::ALL;
+    none_ = none_ || share == Share::NONE;
+    undecided_ = undecided_ || is_open;
+  }
+
+  const double min_width_;
+  const Judge& judge_;
+  DepthFirst<Box> open_;
+  std::int64_t boxes_ = 0;
+  bool all_ = false;
+  bool none_ = false;
+  bool undecided_ = false;
+};
+
 template <class Judge>
 Share bisect(const Box& box, double min_width, std::int64_t max_boxes, const std::atomic<bool>* stop,
              const Judge& judge)
 {
-  std::vector<Box> open = { box };
-  bool all = false;
-  bool none = false;
-  bool undecided = false;
-  for (std::int64_t boxes = 0; !open.empty() && !(all && none); ++boxes)
-  {
-    if (boxes == max_boxes || (stop && *stop))
-      return Share::UNDECIDED;
-    const Box part = open.back();
-    open.pop_back();
-    const Share share = judge(part);
-    const int axis = part.widestAxis();
-    const bool is_open = share == Share::UNDECIDED;
-    if (is_open && part.width(axis) > min_width && part.canBisect(axis))
-    {
-      const auto halves = part.bisect(axis);
-      open.push_back(halves.first);
-      open.push_back(halves.second);
-      continue;
-    }
-    all = all || share == Share::ALL;
-    none = none || share == Share::NONE;
-    undecided = undecided || is_open;
-  }
-  if (all && none)
-    return Share::SOME;
-  return undecided ? Share::UNDECIDED : all ? Share::ALL : Share::NONE;
+  return Bisect<Judge>(min_width, judge).run(box, { max_boxes, stop });
 }
 
 Share shareOf(BoxVerdict verdict)

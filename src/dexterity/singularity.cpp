@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <vector>
 
-#include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
@@ -86,8 +85,8 @@ struct SureLook
   void scalar(const Subject& /*subject*/, const Form& form, int /*power*/) { look.require(form); }
 };
 
-/// The least value of one measure.
-class LeastMeasure
+/// The least value of one measure, by branch and bound.
+class LeastMeasure : public BranchingDefaults
 {
 public:
   /// @param sure see sureModel() @param spheres where det A is zero, too, maybe without changing its sign
@@ -107,23 +106,11 @@ public:
     root_ = root;
     if (root.isValid())
       visit({ root, 0.0, 0 });
-    while (!answer_.box && !open_.empty() && !(open_.top().bound >= least_seen_ * (1.0 - query_.accuracy)))
-    {
-      const Node node = open_.top();
-      const int axis = node.box.widestAxis();
-      answer_.out_of_memory = isFull();
-      if (!node.box.canBisect(axis) || budget_.isOver(answer_.boxes) || answer_.out_of_memory)
-        break;
-      open_.pop();
-      const auto halves = node.box.bisect(axis);
-      visit({ halves.first, node.bound, 0 });
-      visit({ halves.second, node.bound, 0 });
-    }
+    answer_.out_of_memory = branchAndBound(open_, *this, budget_) == Ending::MEMORY;
     conclude();
     return answer_;
   }
 
-private:
   struct Node
   {
     Box box;
@@ -133,9 +120,24 @@ private:
     bool operator<(const Node& other) const { return bound != other.bound ? bound > other.bound : order > other.order; }
   };
 
-  /// Whether two more boxes may not fit into the memory. The queue copies itself into twice the room where it grows.
-  bool isFull() const { return budget_.isFull((PARALLEL + 1) * 3 * sizeof(Node) * (open_.size() + 1)); }
+  bool isSettled() const { return answer_.box || open_.first().bound >= least_seen_ * (1.0 - query_.accuracy); }
+  bool isDivisible(const Node& node) const { return node.box.canBisect(node.box.widestAxis()); }
+  std::int64_t looks() const { return answer_.boxes; }
+  /// Of all measures at a time. The open nodes copy themselves into twice the room where they grow.
+  std::size_t bytes(std::size_t open) const { return (PARALLEL + 1) * 3 * sizeof(Node) * (open + 1); }
 
+  bool expand(const std::vector<Node>& wave)
+  {
+    for (const Node& node : wave)
+    {
+      const auto halves = node.box.bisect(node.box.widestAxis());
+      visit({ halves.first, node.bound, 0 });
+      visit({ halves.second, node.bound, 0 });
+    }
+    return true;
+  }
+
+private:
   Look look(const Box& box) const
   {
     const CenteredBox<double> centered(box);
@@ -167,7 +169,7 @@ private:
     tryPoint(two_sided_ && seen.measure.center < 0.0 ? corners.second : corners.first);
     if (seen.inside && node.bound <= 0.0)
       answer_.box = zeroIn(node.box, corners);
-    open_.push(node);
+    open_.put(node);
   }
 
   /// A small box around a zero of the measure in a box that is inside. Bisection may have cut along the zeros, so that
@@ -238,7 +240,7 @@ private:
   void conclude()
   {
     using Status = SingularityAnswer::Status;
-    const double bound = open_.empty() ? least_seen_ : std::min(open_.top().bound, least_seen_);
+    const double bound = open_.isEmpty() ? least_seen_ : std::min(open_.first().bound, least_seen_);
     answer_.status = answer_.box ? Status::PROVED : bound > 0.0 ? Status::NONE : Status::UNDECIDED;
     answer_.least = answer_.box ? Interval(0.0) : bound < INF ? Interval(bound, least_seen_) : Interval::empty();
     if (measure_ != PARALLEL && !answer_.least.isEmpty())
@@ -254,7 +256,7 @@ private:
   const bool two_sided_;
   const RunningBudget budget_;
   Box root_;
-  std::priority_queue<Node> open_;
+  BestFirst<Node> open_;
   double least_seen_ = INF;
   SingularityAnswer answer_;
 };

@@ -79,7 +79,7 @@ double CenterSearch::target() const
 
 double CenterSearch::upperBound() const
 {
-  const double open = open_.empty() ? 0.0 : open_.top().bound;
+  const double open = open_.isEmpty() ? 0.0 : open_.first().bound;
   return std::min(bracket_.upper(), std::max({ incumbent_.size(), excluded_bound_, unsettled_bound_, open }));
 }
 
@@ -129,7 +129,7 @@ void CenterSearch::start()
   climbFrom({ zero, 0.0 });
   for (std::size_t k = 0; k < STARTS; ++k)
     climbFrom({ starts[k].second, 0.0 });
-  open_.push({ centers, space_.size_bound, 0.0 });
+  open_.put({ centers, space_.size_bound, 0.0 });
 }
 
 /// Asks whether the middle of a box that could not be excluded carries a region of that size: if so, climbs from there;
@@ -167,7 +167,8 @@ void CenterSearch::grow()
 /// halved.
 CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTest& center_test) const
 {
-  Look look{ node.bound <= size || center_test.excludes(node.centers, size), node.bound, center_test.room() };
+  Look look{ node.bound <= size ? Closing::BOUND : center_test.excludes(node.centers, size), node.bound,
+             center_test.room() };
   const double middle = 0.5 * (size + node.bound);
   const bool is_long = boxes_ >= LONG_SEARCH;
   if (is_long && !look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
@@ -181,6 +182,7 @@ void CenterSearch::settle(const Node& node, double size, const Look& look)
   if (look.excluded)
   {
     excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, size));
+    close(node, *look.excluded);
     return;
   }
   tryCenter(node.centers, target());
@@ -189,15 +191,22 @@ void CenterSearch::settle(const Node& node, double size, const Look& look)
   if (test_.isBeyondPrecision(node.centers))
   {
     unsettled_bound_ = std::max(unsettled_bound_, look.bound);
+    close(node, Closing::UNSETTLED);
     return;
   }
   const auto halves = node.centers.bisect(node.centers.widestAxis());
-  open_.push({ halves.first, look.bound, look.room });
-  open_.push({ halves.second, look.bound, look.room });
+  open_.put({ halves.first, look.bound, look.room });
+  open_.put({ halves.second, look.bound, look.room });
+}
+
+void CenterSearch::close(const Node& node, Closing reason) const
+{
+  if (query_.closed)
+    query_.closed(node.centers, reason);
 }
 
 /// A wave ends at a budget and at a checkpoint: what a larger budget does begins with what a smaller one does.
-std::size_t CenterSearch::allowedBoxes() const
+std::size_t CenterSearch::waveSize() const
 {
   std::int64_t allowed = std::min(static_cast<std::int64_t>(WAVE), checkpoint_ - boxes_);
   if (query_.budget.max_boxes > 0)
@@ -205,18 +214,14 @@ std::size_t CenterSearch::allowedBoxes() const
   return static_cast<std::size_t>(allowed);
 }
 
-/// Whether another wave may not fit into the memory. The queue copies itself into twice the room where it grows.
-bool CenterSearch::isFull() const
+/// The open nodes copy themselves into twice the room where they grow.
+std::size_t CenterSearch::bytes(std::size_t open)
 {
-  return budget_.isFull(3 * sizeof(Node) * (open_.size() + std::min(WAVE, open_.size())));
+  return 3 * sizeof(Node) * (open + std::min(WAVE, open));
 }
 
-void CenterSearch::processWave()
+bool CenterSearch::expand(const std::vector<Node>& wave)
 {
-  const std::size_t allowed = allowedBoxes();
-  std::vector<Node> wave;
-  for (; wave.size() < allowed && !open_.empty(); open_.pop())
-    wave.push_back(open_.top());
   const double size = target();
   std::vector<Look> looks(wave.size());
   pool_.forEach(wave.size(), [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
@@ -227,6 +232,7 @@ void CenterSearch::processWave()
     lowerBounds();
     checkpoint_ *= 2;
   }
+  return true;
 }
 
 void CenterSearch::tellProgress()
@@ -243,15 +249,15 @@ void CenterSearch::tellProgress()
 /// Lowers the upper bound as far as looks at whole open boxes can.
 void CenterSearch::lowerBounds()
 {
-  for (int look = 0; look < LOWERING_LOOKS && !open_.empty(); ++look)
+  for (int look = 0; look < LOWERING_LOOKS && !open_.isEmpty(); ++look)
   {
-    Node node = open_.top();
-    const double lower = 0.5 * (target() + node.bound);
-    if (node.bound <= target() || lower >= node.bound || !center_tests_.front().excludes(node.centers, lower))
+    const Node& first = open_.first();
+    const double lower = 0.5 * (target() + first.bound);
+    if (first.bound <= target() || lower >= first.bound || !center_tests_.front().excludes(first.centers, lower))
       break;
-    open_.pop();
+    Node node = open_.take();
     node.bound = lower;
-    open_.push(node);
+    open_.put(node);
   }
   bracket_.narrow(0.0, upperBound());
 }
@@ -259,23 +265,15 @@ void CenterSearch::lowerBounds()
 LargestRegion CenterSearch::run()
 {
   if (!space_.centers.isValid())
-    return result(true);
+    return result(Ending::EXHAUSTED);
   start();
-  while (!open_.empty())
-  {
-    tellProgress();
-    if (budget_.isOver(boxes_) || isFull())
-    {
-      if ((query_.budget.max_boxes == 0 || is_part_) && boxes_ < CHECKPOINT)
-        lowerBounds();  // a moment's work where next to nothing is known
-      return result(false);
-    }
-    processWave();
-  }
-  return result(true);
+  const Ending ending = branchAndBound(open_, *this, budget_);
+  if (ending != Ending::EXHAUSTED && (query_.budget.max_boxes == 0 || is_part_) && boxes_ < CHECKPOINT)
+    lowerBounds();  // a moment's work where next to nothing is known
+  return result(ending);
 }
 
-LargestRegion CenterSearch::result(bool done)
+LargestRegion CenterSearch::result(Ending ending)
 {
   bracket_.narrow(0.0, upperBound());
   LargestRegion region;
@@ -286,8 +284,8 @@ LargestRegion CenterSearch::result(bool done)
   region.boxes = boxes_;
   region.verification_boxes = incumbent_.boxes();
   region.seconds = budget_.seconds();
-  region.out_of_memory = !done && isFull();
-  conclude(region, query_.accuracy, done ? "" : budget_.endedBy(boxes_, region.out_of_memory),
+  region.out_of_memory = ending == Ending::MEMORY;
+  conclude(region, query_.accuracy, ending == Ending::EXHAUSTED ? "" : budget_.endedBy(boxes_, region.out_of_memory),
            query_.precision == Precision::DOUBLE);
   return region;
 }

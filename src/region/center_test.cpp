@@ -133,20 +133,9 @@ bool CenterTest::addCuts()
   return added;
 }
 
-bool CenterTest::excludes(const Box& centers, double size)
+/// @return true when a point that is known to be bad lies within every region: that alone excludes the box
+bool CenterTest::addKnown(const Box& centers, double size)
 {
-  if (excludes(centers, size, test_.kernel()))
-    return true;
-  const BoxKernel* finer = test_.finerKernel(centers);
-  return finer && excludes(centers, size, *finer);
-}
-
-bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kernel)
-{
-  forms_.clear();
-  programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
-  room_ = ROOM;
-  const CenteredBox<double> box(centers);
   const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
@@ -154,27 +143,45 @@ bool CenterTest::excludes(const Box& centers, double size, const BoxKernel& kern
     if (avoidance && add(per_length * *avoidance))
       return true;
   }
+  return false;
+}
+
+std::optional<Closing> CenterTest::excludes(const Box& centers, double size)
+{
+  const std::optional<Closing> excluded = excludes(centers, size, test_.kernel());
+  const BoxKernel* finer = excluded ? nullptr : test_.finerKernel(centers);
+  return finer ? excludes(centers, size, *finer) : excluded;
+}
+
+std::optional<Closing> CenterTest::excludes(const Box& centers, double size, const BoxKernel& kernel)
+{
+  forms_.clear();
+  programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
+  room_ = ROOM;
+  if (addKnown(centers, size))
+    return Closing::BAD_POINT;
+  const CenteredBox<double> box(centers);
   const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
   necessary_.resize(places.size());
   kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data());
   for (const NecessaryForms& necessary : necessary_)
     if (addNecessary(necessary))
-      return true;
+      return Closing::FORM;
   if (travel_ && addTravel(centers, size))
-    return true;
+    return Closing::FORM;
   for (const StrutSphere& sphere : test_.spheres())
     if (addSphere(sphere, box, centers, size))
-      return true;
+      return Closing::FORM;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();
     room_ = programme_.point()[3] * ROOM;
     if (!feasible || room_ < 0.0)
-      return combinationExcludes();
+      return combinationExcludes() ? std::make_optional(Closing::COMBINATION) : std::nullopt;
     if (!addCuts())
-      return false;
+      return std::nullopt;
   }
-  return false;
+  return std::nullopt;
 }
 
 bool CenterTest::isPromising(const Eigen::Vector3d& center, double size)

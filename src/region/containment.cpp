@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/region/bad_point.h"
 
@@ -21,8 +21,6 @@ constexpr int STEPS = 8;
 constexpr std::int64_t LONG_PROOF = 1024;
 /// Parts that are looked at side by side.
 constexpr std::size_t BATCH = 8;
-/// Batches between two looks at the clock.
-constexpr std::int64_t CLOCK = 32;
 /// The thinnest and the thickest slab that is cut off a part, as shares of its widest side. Chosen by counting boxes.
 constexpr double LEAST_CUT = 1.0 / 16.0;
 constexpr double MOST_CUT = 0.5;
@@ -66,7 +64,7 @@ int wholeAxis(const BoxTest& test, const Shape& shape)
 }
 
 /// Subdivides one region; looks for a bad point wherever the margin is the least so far.
-class Proof
+class Proof : public BranchingDefaults
 {
 public:
   Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size, const Budget& budget)
@@ -88,6 +86,35 @@ public:
     return result_;
   }
 
+  static constexpr std::int64_t WAVES_A_LOOK = 32;
+  std::int64_t looks() const { return result_.boxes; }
+  std::size_t waveSize() const
+  {
+    return limits_.max_boxes > 0 ? std::min(BATCH, static_cast<std::size_t>(limits_.max_boxes - result_.boxes)) : BATCH;
+  }
+
+  /// Looks at parts side by side, divides those that stay undecided. @return whether the proof can go on
+  bool expand(const std::vector<Box>& parts)
+  {
+    std::array<BoxVerdict, BATCH> verdicts;
+    std::array<AffineForm<double>, BATCH> worst;
+    std::array<HalfSpace, BATCH> within;
+    if (!shape_.isBox())
+      std::transform(parts.begin(), parts.end(), within.begin(),
+                     [&](const Box& part) { return shape_.halfSpace(part, center_, size_); });
+    test_.kernel().classify(parts.data(), parts.size(), verdicts.data(), worst.data(),
+                            shape_.isBox() ? nullptr : within.data());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (verdicts[k] == BoxVerdict::UNDECIDED)
+        if (const BoxKernel* finer = test_.finerKernel(parts[k]))
+          finer->classify(&parts[k], 1, &verdicts[k], &worst[k], shape_.isBox() ? nullptr : &within[k]);
+    result_.boxes += static_cast<std::int64_t>(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))
+        return false;
+    return !refuteWithin(parts, verdicts) && !(becomesLong() && proveBad(search_.worstFromFar()));
+  }
+
 private:
   void prove()
   {
@@ -97,30 +124,31 @@ private:
     if (result_.is_within_rounding)
       return;
     divideAtCenter(shape_.boundingBox(center_, size_));
-    while (!open_.empty())
-      if (isOver() || !lookAtBatch() || (becomesLong() && proveBad(search_.worstFromFar())))
-        return;
-    result_.verdict = Containment::INSIDE;
+    if (branchAndBound(open_, *this, budget_) == Ending::EXHAUSTED)
+      result_.verdict = Containment::INSIDE;
   }
 
-  bool isOver()
+  /// Parts without a point of the region are none.
+  void open(const Box& part)
   {
-    return (limits_.max_boxes > 0 && result_.boxes >= limits_.max_boxes) ||
-           (batches_++ % CLOCK == 0 && budget_.isOver());
+    if (!shape_.misses(part, center_, size_))
+      open_.put(part);
   }
 
   /// The first looks would be lost: halves along every axis at once.
   void divideAtCenter(const Box& bounds)
   {
-    open_ = { bounds };
+    std::vector<Box> parts = { bounds };
     for (int axis = 0; axis < 3; ++axis)
       if (flattened(bounds).canBisect(axis))
-        for (std::size_t k = open_.size(); k-- > 0;)
+        for (std::size_t k = parts.size(); k-- > 0;)
         {
-          const auto halves = open_[k].bisect(axis);
-          open_[k] = halves.first;
-          open_.push_back(halves.second);
+          const auto halves = parts[k].bisect(axis);
+          parts[k] = halves.first;
+          parts.push_back(halves.second);
         }
+    for (const Box& part : parts)
+      open(part);
   }
 
   /// Looks within half-spaces leave the aspect open; the region is connected, so that its center settles it.
@@ -162,43 +190,13 @@ private:
     return true;
   }
 
-  /// Looks at the next parts, divides those that stay undecided. @return whether the proof can go on
-  bool lookAtBatch()
-  {
-    const std::int64_t allowed =
-        limits_.max_boxes > 0 ? limits_.max_boxes - result_.boxes : static_cast<std::int64_t>(BATCH);
-    std::array<Box, BATCH> parts;
-    std::size_t count = 0;
-    for (; count < BATCH && static_cast<std::int64_t>(count) < allowed && !open_.empty(); open_.pop_back())
-      if (!shape_.misses(open_.back(), center_, size_))
-        parts[count++] = open_.back();
-    std::array<BoxVerdict, BATCH> verdicts;
-    std::array<AffineForm<double>, BATCH> worst;
-    std::array<HalfSpace, BATCH> within;
-    if (!shape_.isBox())
-      std::transform(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count), within.begin(),
-                     [&](const Box& part) { return shape_.halfSpace(part, center_, size_); });
-    test_.kernel().classify(parts.data(), count, verdicts.data(), worst.data(),
-                            shape_.isBox() ? nullptr : within.data());
-    for (std::size_t k = 0; k < count; ++k)
-      if (verdicts[k] == BoxVerdict::UNDECIDED)
-        if (const BoxKernel* finer = test_.finerKernel(parts[k]))
-          finer->classify(&parts[k], 1, &verdicts[k], &worst[k], shape_.isBox() ? nullptr : &within[k]);
-    result_.boxes += static_cast<std::int64_t>(count);
-    for (std::size_t k = 0; k < count; ++k)
-      if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))
-        return false;
-    return !refuteWithin(parts, verdicts, count);
-  }
-
   /// Looks for a bad point from the worst center of the parts that stay undecided.
-  bool refuteWithin(const std::array<Box, BATCH>& parts, const std::array<BoxVerdict, BATCH>& verdicts,
-                    std::size_t count)
+  bool refuteWithin(const std::vector<Box>& parts, const std::array<BoxVerdict, BATCH>& verdicts)
   {
     std::array<Eigen::Vector3d, 2 * BATCH> centers;
     std::array<double, 2 * BATCH> margins;
     std::size_t undecided = 0;
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < parts.size(); ++k)
       if (verdicts[k] != BoxVerdict::INSIDE)
         for (const double side : { -1.0, 1.0 })
           if (side < 0.0 || whole_axis_ >= 0)
@@ -256,8 +254,8 @@ private:
       return false;
     const Cut cut = cutOff(flat, worst);
     const auto halves = part.splitAt(cut.axis, cut.plane);
-    open_.push_back(halves.second);
-    open_.push_back(halves.first);
+    open(halves.second);
+    open(halves.first);
     return true;
   }
 
@@ -270,10 +268,9 @@ private:
   Eigen::Vector3d center_;
   double size_;
   int whole_axis_;
-  std::int64_t batches_ = 0;
   double least_margin_ = std::numeric_limits<double>::infinity();
   bool is_long_ = false;
-  std::vector<Box> open_;
+  DepthFirst<Box> open_;
   ContainmentResult result_;
 };
 }  // namespace

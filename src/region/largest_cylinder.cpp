@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/region/center_search.h"
 
 namespace pkm_workspace
@@ -29,7 +29,8 @@ double cubeRootAbove(double volume)
   return root;
 }
 
-class CylinderSearch
+/// Branch and bound over the ratios.
+class CylinderSearch : public BranchingDefaults
 {
 public:
   CylinderSearch(const Machine& machine, const RegionQuery& query)
@@ -42,25 +43,19 @@ public:
   LargestRegion run()
   {
     look(query_.ratio->lower, query_.ratio->upper, std::numeric_limits<double>::infinity());
-    while (!isNarrow() && open_.top().upper > open_.top().lower * (1.0 + LEAST_PART) && !isOver())
-    {
-      const Part part = open_.top();
-      open_.pop();
-      divide(part);
-    }
+    branchAndBound(open_, *this, budget_);
     narrow();
     best_.size_upper_bound = heightBound();
     best_.volume_upper_bound = volumeBound();
     best_.seconds = budget_.seconds();
     best_.boxes = boxes_;
     best_.verification_boxes = verification_boxes_;
-    best_.out_of_memory = isFull();
+    best_.out_of_memory = budget_.isFull(bytes(open_.size()));
     conclude(best_, query_.accuracy, budget_.endedBy(boxes_, best_.out_of_memory),
              query_.precision == Precision::DOUBLE);
     return best_;
   }
 
-private:
   /// A range of ratios with an upper bound of volume / pi [m^3].
   struct Part
   {
@@ -70,18 +65,36 @@ private:
     bool operator<(const Part& other) const { return bound < other.bound; }
   };
 
-  /// Whether the memory has ended the search of one ratio, or would not hold more parts of the range.
-  bool isFull() const { return is_full_ || budget_.isFull(3 * sizeof(Part) * (open_.size() + 2)); }
-
-  bool isOver() const { return budget_.isOver(boxes_) || isFull(); }
-
-  double target() const { return rounding::add(best_.size, query_.accuracy).lower; }
-
-  /// As conclude() asks for it.
-  bool isNarrow() const
+  std::int64_t looks() const { return boxes_; }
+  static bool isDivisible(const Part& part) { return part.upper > part.lower * (1.0 + LEAST_PART); }
+  /// More than there is where the memory has ended the search of one ratio.
+  std::size_t bytes(std::size_t open) const
   {
-    return (pi() * Interval(open_.top().bound)).upper() <= best_.shape->volume(target()).lower();
+    return is_full_ ? std::numeric_limits<std::size_t>::max() : 3 * sizeof(Part) * (open + 2);
   }
+  /// As conclude() asks for it.
+  bool isSettled() const
+  {
+    return (pi() * Interval(open_.first().bound)).upper() <= best_.shape->volume(target()).lower();
+  }
+
+  bool expand(const std::vector<Part>& wave)
+  {
+    for (const Part& part : wave)
+      divide(part);
+    return true;
+  }
+
+  void tellProgress()
+  {
+    narrow();
+    if (query_.progress && pace_.isDue(budget_.seconds()))
+      query_.progress({ best_.size, heightBound(), best_.shape->volume(best_.size).lower(), volumeBound(), boxes_,
+                        static_cast<std::int64_t>(open_.size()), budget_.seconds() });
+  }
+
+private:
+  double target() const { return rounding::add(best_.size, query_.accuracy).lower; }
 
   /// No cylinder has a larger volume.
   double volumeBound() const { return (pi() * Interval(bracket_.upper())).upper(); }
@@ -103,8 +116,8 @@ private:
     in_hand_ = part.bound;
     look(part.lower, middle, part.bound);
     in_hand_ = 0.0;
-    if (isOver())
-      open_.push({ middle, part.upper, part.bound });
+    if (budget_.isOver(boxes_) || budget_.isFull(bytes(open_.size())))
+      open_.put({ middle, part.upper, part.bound });
     else
       look(middle, part.upper, part.bound);
   }
@@ -118,6 +131,7 @@ private:
     query.shape = makeCylinder(ratio);
     query.accuracy = SHARE * query_.accuracy;
     query.progress = nullptr;
+    query.closed = nullptr;
     query.budget = budget_.rest(boxes_);
     const Interval factor = factorOf(lower, ratio, upper);
     LargestRegion region = CenterSearch(machine_, query, uninteresting(factor) - 2.0 * query.accuracy).run();
@@ -125,7 +139,7 @@ private:
     is_full_ = is_full_ || region.out_of_memory;
     verification_boxes_ += region.verification_boxes;
     const Interval height(region.size_upper_bound);
-    open_.push({ lower, upper, std::min(known, (height * sqr(height) * factor).upper()) });
+    open_.put({ lower, upper, std::min(known, (height * sqr(height) * factor).upper()) });
     keep(region, query.shape);
     tellProgress();
   }
@@ -159,22 +173,14 @@ private:
 
   void narrow()
   {
-    bracket_.narrow(0.0, std::max({ volumeOverPi(bestRatio(), best_.size).upper(), in_hand_, open_.top().bound }));
-  }
-
-  void tellProgress()
-  {
-    narrow();
-    if (query_.progress && pace_.isDue(budget_.seconds()))
-      query_.progress({ best_.size, heightBound(), best_.shape->volume(best_.size).lower(), volumeBound(), boxes_,
-                        static_cast<std::int64_t>(open_.size()), budget_.seconds() });
+    bracket_.narrow(0.0, std::max({ volumeOverPi(bestRatio(), best_.size).upper(), in_hand_, open_.first().bound }));
   }
 
   const Machine& machine_;
   const RegionQuery& query_;
   const RunningBudget budget_;
   LargestRegion best_;
-  std::priority_queue<Part> open_;
+  BestFirst<Part> open_;
   Pace pace_{ query_.progress_period };
   RunningBracket bracket_;  ///< of volume / pi [m^3]
   double in_hand_ = 0.0;    ///< bound of the part of which half is still to be looked at

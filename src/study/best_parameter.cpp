@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <stdexcept>
 
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/region/center_search.h"
 #include "pkm_workspace/region/region_height.h"
 
@@ -35,7 +35,8 @@ constexpr int HALVINGS = 24;
 constexpr double LEAST_WIDTH = 1e-14;
 constexpr std::int64_t LAST_LOOK = 512;
 
-class ParameterSearch
+/// Branch and bound over the parameters.
+class ParameterSearch : public BranchingDefaults
 {
 public:
   explicit ParameterSearch(const StudyQuery& query) : query_(query), budget_(query.region.budget)
@@ -46,19 +47,12 @@ public:
   BestParameter run()
   {
     climb();
-    open_.push({ query_.range, INF });
+    open_.put({ query_.range, INF });
     in_hand_ = 0.0;
-    while (!open_.empty() && open_.top().bound > target() && !isOver())
-    {
-      const Part part = open_.top();
-      open_.pop();
-      settle(part);
-      tellProgress();
-    }
+    branchAndBound(open_, *this, budget_);
     return result();
   }
 
-private:
   struct Part
   {
     Interval parameters;
@@ -70,6 +64,29 @@ private:
     }
   };
 
+  std::int64_t looks() const { return best_.region.boxes; }
+  bool isSettled() const { return open_.first().bound <= target(); }
+  /// Parts of the range may take their half of the memory; the search that is going on has the other one. Open nodes
+  /// copy themselves into twice the room where they grow.
+  std::size_t bytes(std::size_t open) const { return 2 * 3 * sizeof(Part) * (open + closed_.size() + 2); }
+
+  bool expand(const std::vector<Part>& wave)
+  {
+    for (const Part& part : wave)
+      settle(part);
+    return true;
+  }
+
+  void tellProgress()
+  {
+    const double now = query_.progress ? budget_.seconds() : 0.0;
+    if (!query_.progress || !pace_.isDue(now))
+      return;
+    bracket_.narrow(best_.region.size, upperBound());
+    query_.progress({ bracket_.lower(), best_.parameter, bracket_.upper(), open_.size(), now });
+  }
+
+private:
   struct Effort
   {
     std::int64_t boxes;               ///< of centers
@@ -79,10 +96,7 @@ private:
   double target() const { return rounding::add(best_.region.size, query_.region.accuracy).lower; }
   bool isOver() const { return budget_.isOver(best_.region.boxes) || isFull(); }
 
-  /// Whether parts of the range would take more than their half of the memory; the search that is going on has the
-  /// other one. Queues copy themselves into twice the room where they grow.
-  bool isFull() const { return budget_.isFull(2 * 3 * sizeof(Part) * (open_.size() + closed_.size() + 2)); }
-
+  bool isFull() const { return budget_.isFull(bytes(open_.size())); }
   /// Looks for regions larger than a size with what is left of the budget; one that is the largest so far is kept,
   /// with the parameter given. @return the certified upper bound
   double search(const Machine& machine, double parameter, double known, Effort effort)
@@ -90,6 +104,7 @@ private:
     RegionQuery query = query_.region;
     query.accuracy *= SHARE;
     query.progress = nullptr;
+    query.closed = nullptr;
     query.budget = budget_.rest(best_.region.boxes).sharedBy(2);
     query.budget.threads = 1;  // threads would be started anew for each of these short searches
     query.budget.max_boxes = query.budget.max_boxes > 0 ? std::min(effort.boxes, query.budget.max_boxes) : effort.boxes;
@@ -207,26 +222,17 @@ private:
     const double middle = part.parameters.mid();
     if (!isOver())
       lookAtMachine(middle, part.divisions);
-    open_.push({ { part.parameters.lower(), middle }, bound, part.divisions + 1 });
-    open_.push({ { middle, part.parameters.upper() }, bound, part.divisions + 1 });
+    open_.put({ { part.parameters.lower(), middle }, bound, part.divisions + 1 });
+    open_.put({ { middle, part.parameters.upper() }, bound, part.divisions + 1 });
     in_hand_ = 0.0;
   }
 
   double upperBound() const
   {
-    double bound = open_.empty() ? 0.0 : open_.top().bound;
+    double bound = open_.isEmpty() ? 0.0 : open_.first().bound;
     for (const Part& part : closed_)
       bound = std::max(bound, part.bound);
     return std::max({ bound, in_hand_, best_.region.size });
-  }
-
-  void tellProgress()
-  {
-    const double now = query_.progress ? budget_.seconds() : 0.0;
-    if (!query_.progress || !pace_.isDue(now))
-      return;
-    bracket_.narrow(best_.region.size, upperBound());
-    query_.progress({ bracket_.lower(), best_.parameter, bracket_.upper(), open_.size(), now });
   }
 
   BestParameter result()
@@ -237,8 +243,8 @@ private:
     best_.region.out_of_memory = isFull();
     conclude(best_.region, query_.region.accuracy, budget_.endedBy(best_.region.boxes, best_.region.out_of_memory),
              false);
-    for (; !open_.empty(); open_.pop())
-      closed_.push_back(open_.top());
+    while (!open_.isEmpty())
+      closed_.push_back(open_.take());
     std::sort(closed_.begin(), closed_.end(),
               [](const Part& a, const Part& b) { return a.parameters.lower() < b.parameters.lower(); });
     for (const Part& part : closed_)
@@ -264,7 +270,7 @@ private:
   const StudyQuery& query_;
   const RunningBudget budget_;
   RunningBracket bracket_;  ///< of the size
-  std::priority_queue<Part> open_;
+  BestFirst<Part> open_;
   std::vector<Part> closed_;
   double in_hand_ = INF;  ///< bound of the parameters that are in work
   std::vector<Eigen::Vector3d> suspects_;

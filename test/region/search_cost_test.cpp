@@ -19,7 +19,7 @@ namespace
 std::atomic<long> allocations(0);
 }  // namespace
 
-void* operator new(std::size_t size)
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
   ++allocations;
   void* const memory = std::malloc(size == 0 ? 1 : size);
@@ -28,12 +28,12 @@ void* operator new(std::size_t size)
   return memory;
 }
 
-void operator delete(void* memory) noexcept
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
@@ -217,7 +217,7 @@ TEST(SearchCost, looksAtCentersAllocateNothing)
   witnesses.learn(Eigen::Vector3d::Zero(), 0.7, Eigen::Vector3d(0.3, 0.3, 0.3));
   CenterTest center_test(test, *cube, witnesses);
   const Box centers{ Eigen::Vector3d::Constant(0.05), Eigen::Vector3d::Constant(0.12) };
-  const bool first = center_test.excludes(centers, 0.645);
+  const auto first = center_test.excludes(centers, 0.645);
   const long before = allocations;
   for (const double size : { 0.645, 0.66, 0.7, 0.645 })
     center_test.excludes(centers, size);

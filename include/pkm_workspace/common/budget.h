@@ -53,8 +53,10 @@ public:
   /// Whether the stop flag is set or the time limit is past.
   bool isOver() const { return budget_.isOver(budget_.time_limit > 0.0 ? seconds() : 0.0); }
 
-  /// The same, or whether so many boxes are all that may be looked at.
-  bool isOver(std::int64_t boxes) const { return (budget_.max_boxes > 0 && boxes >= budget_.max_boxes) || isOver(); }
+  /// Whether so many boxes are all that may be looked at.
+  bool hasSpent(std::int64_t boxes) const { return budget_.max_boxes > 0 && boxes >= budget_.max_boxes; }
+  /// Either.
+  bool isOver(std::int64_t boxes) const { return hasSpent(boxes) || isOver(); }
 
   bool isFull(std::size_t bytes) const { return budget_.isFull(bytes); }
 

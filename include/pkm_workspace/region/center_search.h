@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <queue>
 #include <vector>
 
-#include "pkm_workspace/common/budget.h"
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/interval/running_bracket.h"
@@ -21,7 +20,7 @@ namespace pkm_workspace
 ///
 /// Invariant: every center that may carry a region larger than excluded_bound_ lies in an open box, and no center
 /// of an open box carries one larger than that box's bound. The incumbent is certified.
-class CenterSearch
+class CenterSearch : private BranchingDefaults
 {
 public:
   /// @param known only regions larger than this are looked for; where there is none, the size found is 0
@@ -39,6 +38,9 @@ public:
   LargestRegion run();
 
 private:
+  template <class Open, class Search, class Limits>
+  friend Ending branchAndBound(Open& open, Search& search, const Limits& limits);
+
   struct Node
   {
     Box centers;
@@ -53,8 +55,8 @@ private:
   /// What a thread finds out about a box without touching anything shared.
   struct Look
   {
-    bool excluded = false;  ///< at the target
-    double bound = 0.0;     ///< the node's, or the middle between it and the target if that was proved
+    std::optional<Closing> excluded;  ///< at the target, and why
+    double bound = 0.0;               ///< the node's, or the middle between it and the target if that was proved
     double room = 0.0;
   };
 
@@ -67,18 +69,20 @@ private:
   ContainmentResult certify(const Candidate& candidate);
   void learn(const Candidate& refused, const ContainmentResult& proof);
   bool certifyBelow(const Candidate& candidate);
-  void processWave();
+  bool expand(const std::vector<Node>& wave);
   Look lookAt(const Node& node, double size, CenterTest& center_test) const;
   void settle(const Node& node, double size, const Look& look);
+  void close(const Node& node, Closing reason) const;
   void grow();
   void tryCenter(const Box& centers, double size);
-  std::size_t allowedBoxes() const;
-  bool isFull() const;
+  std::int64_t looks() const { return boxes_; }
+  std::size_t waveSize() const;
+  static std::size_t bytes(std::size_t open);
   void tellProgress();
   void lowerBounds();
   double target() const;
   double upperBound() const;
-  LargestRegion result(bool done);
+  LargestRegion result(Ending ending);
 
   const RegionQuery& query_;
   const RunningBudget budget_;
@@ -95,7 +99,7 @@ private:
   Incumbent incumbent_;
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
   double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
-  std::priority_queue<Node> open_;
+  BestFirst<Node> open_;
   std::int64_t boxes_ = 0;
   const bool is_part_;       ///< of a search over machines, which ends it soon
   std::int64_t checkpoint_;  ///< boxes after which the bounds of open boxes are lowered next

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
 #include "pkm_workspace/region/rail_travel.h"
@@ -30,11 +32,11 @@ public:
   CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
              const RailTravel* travel = nullptr);
 
-  /// Whether it is proved that no center in the box, or with its place there, carries a region of this size, nor of a
-  /// larger one.
-  bool excludes(const Box& centers, double size);
+  /// Why no center in the box, or with its place there, carries a region of this size, nor of a larger one; nothing
+  /// where that is not proved.
+  std::optional<Closing> excludes(const Box& centers, double size);
 
-  /// After excludes() was false: the optimum of the programme, without unit. The larger, the more room seems to be
+  /// After excludes() told nothing: the optimum of the programme, without unit. The larger, the more room seems to be
   /// left.
   double room() const { return room_; }
   /// Whether nothing that is known so far speaks against one region, in floating point: neither the criterion at its
@@ -42,7 +44,8 @@ public:
   bool isPromising(const Eigen::Vector3d& center, double size);
 
 private:
-  bool excludes(const Box& centers, double size, const BoxKernel& kernel);
+  std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
+  bool addKnown(const Box& centers, double size);
   bool addTravel(const Box& places, double size);
   bool addNecessary(const NecessaryForms& necessary);
   bool add(const AffineForm<double>& form);

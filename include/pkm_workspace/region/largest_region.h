@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/common/pace.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/joint_ranges.h"
@@ -50,6 +51,7 @@ struct RegionQuery
   Budget budget;                                        ///< max_boxes counts boxes of centers
   std::function<void(const RegionProgress&)> progress;  ///< called now and then, if given
   double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
+  ProofLog<Box> closed;  ///< told each box of centers that is closed, if given; of a free ratio nothing
 
   void validate(Problems& problems) const;
 };
