@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
-
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/dexterity/region_check.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
+#include "region_option.h"
 
 namespace pkm_workspace
 {
@@ -37,31 +37,38 @@ class Check : public Command
 public:
   std::string description() const override
   {
-    return "Tells whether every point of a box is dextrous: inside (proved), outside (with a point of the box "
+    return "Tells whether every point of a region is dextrous: inside (proved), outside (with a point of the region "
            "that is proved not to be), or undecided. There is no tolerance.";
   }
 
   Words examples() const override
   {
-    return { "pkm check --urdf orthoglide.urdf --center 0.08 0.08 0.08 --sides 0.6 0.6 0.6" };
+    return { "pkm check --urdf orthoglide.urdf --center 0.08 0.08 0.08 --sides 0.6 0.6 0.6",
+             "pkm check --urdf orthoglide.urdf --center 0.08 0.08 0.08 --radius 0.2 --height 0.3" };
   }
 
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.vector("center", center_, "X Y Z", LENGTH, "center of the box, in the frame of the root link");
-    options.box("centers", centers_,
-                "in place of --center, centers that the box may have: tells whether all, none or some carry it");
-    options.vector("sides", sides_, "A B C", LENGTH_NOT_NEGATIVE,
-                   "full sides of the box along x, y and z; 0 for no thickness, at least one above 0");
-    options.require({ "sides" });
+    options.vector("center", center_, "X Y Z", LENGTH, "center of the region, in the frame of the root link");
+    options.box(
+        "centers", centers_,
+        "in place of --center, centers that a box of --sides may have: tells whether all, none or some carry it");
+    body_.declare(options);
     declareCriterion(options, criterion_);
     budget_.max_boxes = 1000000;
     options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
     declareTimeLimit(options, budget_.time_limit);
     options.flag("progress", progress_, PROGRESS_HELP);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
-    options.check({ "sides" }, [this](Problems& problems) { setShape(problems); });
+    options.check({ "size", "sides", "radius", "height" }, [this, &options](Problems& problems) {
+      if (!body_.given() && !options.given("shape"))
+        problems.push_back("give the region: --sides A B C, --radius R, --radius R --height H, or --shape and --size");
+    });
+    options.check({ "centers", "size", "sides", "radius", "height" }, [this](Problems& problems) {
+      if (centers_ && body_.given() && !body_.sides())
+        problems.push_back("only a box of --sides can have --centers; for another region give its --center");
+    });
     options.check({ "center", "centers" }, [this](Problems& problems) {
       if (center_.has_value() == centers_.has_value())
         problems.push_back("give either --center or --centers");
@@ -78,16 +85,20 @@ public:
     if (centers_)
       return answerForAll(test);
     budget_.stop = stopOnSignal();
-    const ContainmentResult result = checkContainment(test, *shape_, *center_, 1.0, budget_);
+    const Solid& solid = body_.solid();
+    const ContainmentResult result = checkContainment(test, *solid.shape, *center_, solid.size, budget_);
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
     json["center"] = toJson(*center_);
-    json["sides"] = toJson(*sides_);
+    json["shape"] = solid.shape->name();
+    json["dimensions"] = solid.shape->dimensions(solid.size);
+    if (body_.sides())
+      json["sides"] = toJson(*body_.sides());
     json["bad_point"] = result.bad_point ? toJson(*result.bad_point) : Json();
     json["bad_within"] = result.bad_within;
     json["boxes"] = result.boxes;
     if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
-      addLimits(machine, criterion_, reach(), json);
+      addLimits(machine, criterion_, reachOver(machine, *solid.shape, *center_, solid.size), json);
     json["message"] = message(result);
     return { json, print(result) };
   }
@@ -105,46 +116,40 @@ private:
       if (carriers.size() < MOST_CARRIERS)
         carriers.push_back(part);
     };
-    const Share share = checkCenters(test, *centers_, *sides_, limits);
     const Machine& machine = machine_.machine();
+    const Eigen::Vector3d& sides = *body_.sides();
+    const Share share = checkCenters(test, *centers_, sides, limits);
     std::optional<JointReaches> reaches;
     if (!criterion_.joint_limits && (share == Share::ALL || share == Share::SOME))
-      reaches = reachOverCenters(machine, criterion_, *centers_, *sides_, share, carriers);
+      reaches = reachOverCenters(machine, criterion_, *centers_, sides, share, carriers);
     Json json = contextOf(machine, criterion_);
     json["share"] = nameOf(share);
     json["centers"] = toJson(*centers_);
-    json["sides"] = toJson(*sides_);
+    json["sides"] = toJson(sides);
     addLimits(machine, criterion_, reaches, json);
     const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(budget_.time_limit) : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
-                             ", " + sentence(share) + " carry a box with sides " + describe(*sides_) + reason + ".";
+                             ", " + sentence(share) + " carry a box with sides " + describe(sides) + reason + ".";
     const std::string remark = remarkOnLimits(machine, criterion_, reaches);
     json["message"] = withRemark(text, remark);
     return { json, wrapped(text) + wrapped(definition(machine, criterion_)) + wrapped(remark) };
   }
 
-  void setShape(Problems& problems)
+  /// "sides (1, 2, 3) m", "radius 1 m", "height 1 m, radius 2 m"
+  std::string measures() const
   {
-    if (sides_->isZero(0.0))
-      problems.push_back("one side at least must be above 0 m; for a point there is pkm evaluate");
-    else
-      try
-      {
-        shape_ = makeBox(*sides_);
-      }
-      catch (const std::invalid_argument& reason)
-      {
-        problems.push_back(reason.what());
-      }
+    const Solid& solid = body_.solid();
+    const std::vector<double> lengths = solid.shape->dimensions(solid.size);
+    if (lengths.size() == 3)
+      return "sides " + describe(Eigen::Vector3d(lengths[0], lengths[1], lengths[2]));
+    const std::string radius = "radius " + exact(lengths.back()) + " m";
+    return lengths.size() == 1 ? radius : "height " + exact(lengths[0]) + " m, " + radius;
   }
-
-  /// @pre the box is inside
-  JointReaches reach() const { return reachOver(machine_.machine(), *shape_, *center_, 1.0); }
 
   std::string message(const ContainmentResult& result) const
   {
     const PointEvaluator evaluator(machine_.machine(), criterion_);
-    return describe(result, evaluator, *shape_, *center_, 1.0, budget_);
+    return describe(result, evaluator, *body_.solid().shape, *center_, body_.solid().size, budget_);
   }
 
   std::string print(const ContainmentResult& result) const
@@ -153,18 +158,17 @@ private:
     if (result.bad_point)
       rows.push_back({ "bad point", describe(*result.bad_point) });
     rows.push_back({ "effort", std::to_string(result.boxes) + " boxes" });
-    return "Box of machine '" + machine_.machine().name() + "' with center " + describe(*center_) + " and sides " +
-           describe(*sides_) + "\n\n" + aligned(rows, Align::LEFT) + "\n" + wrapped(message(result)) +
-           wrapped(definition(machine_.machine(), criterion_));
+    return "Machine '" + machine_.machine().name() + "', " + body_.solid().shape->name() + " with center " +
+           describe(*center_) + ", " + measures() + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           wrapped(message(result)) + wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;
   Criterion criterion_;
+  BodyOption body_;
   std::optional<Eigen::Vector3d> center_;
-  std::optional<Eigen::Vector3d> sides_;
   std::optional<Box> centers_;
   bool multi_precision_ = false;
-  ShapePtr shape_;
   Budget budget_;
   bool progress_ = false;
 };

@@ -20,10 +20,10 @@ public:
   std::string description() const override
   {
     return "Encloses the global conditioning index: the mean of 1 / kappa, kappa the condition number of J, over a "
-           "region given by --shape, --center and --size, or over all points of the criterion's set. 1 is isotropic "
-           "everywhere, 0 singular everywhere. Flat regions, and the sections of machines that do not change along "
-           "their rails, are averaged over their area. With --json: index and measure (the volume of what was averaged "
-           "over) as [lower, upper], complete, boxes, seconds.";
+           "region given by --center and --size, --sides or --radius, or over all points of the criterion's set. 1 is "
+           "isotropic everywhere, 0 singular everywhere. Flat regions, and the sections of machines that do not change "
+           "along their rails, are averaged over their area. With --json: index and measure (the volume of what was "
+           "averaged over) as [lower, upper], complete, boxes, seconds.";
   }
 
   Words examples() const override
@@ -37,7 +37,7 @@ public:
     machine_.declare(options);
     region_.declare(options);
     declareCriterion(options, criterion_);
-    options.check({ "center", "size" }, [this, &options](Problems& problems) {
+    options.check({ "center" }, [this, &options](Problems& problems) {
       for (const std::string& name : criterionOptions())
         if (region_.given() && options.given(name))
           problems.push_back("all points of a region count: leave out --" + name);
@@ -60,7 +60,7 @@ public:
         region_.given() ? globalConditioning(machine, *region_.shape(), region_.center(), region_.size(), query_)
                         : workspaceConditioning(machine, criterion_, query_);
     const std::optional<JointReaches> reaches = region_.given() ? std::nullopt : reachOver(machine, criterion_);
-    Json json = contextOf(machine, criterion_);
+    Json json = region_.given() ? contextOf(machine) : contextOf(machine, criterion_);
     json["over"] = region_.given() ? "region" : "set";
     json["index"] = toJson(found.index);
     json["measure"] = toJson(found.measure);

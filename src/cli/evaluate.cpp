@@ -7,7 +7,7 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/report/binding_limit.h"
+#include "pkm_workspace/report/point_sentence.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -23,17 +23,6 @@ BoxVerdict ownAspect(const Machine& machine, const PointEvaluation& there)
     return BoxVerdict::UNDECIDED;
   const int sign = there.det_a.certainlyPositive() ? 1 : -1;
   return sign == machine.aspect() ? BoxVerdict::INSIDE : BoxVerdict::OUTSIDE;
-}
-
-std::string message(const Machine& machine, const PointEvaluation& there, const std::string& quality)
-{
-  if (there.verdict == BoxVerdict::INSIDE)
-    return "The point is " + quality + ".";
-  if (there.verdict == BoxVerdict::UNDECIDED)
-    return "Whether the point is " + quality + " is not decided: it is within rounding of the border.";
-  const Words found = violations(there, machine);
-  return "The point is not " + quality + ": " +
-         (found.empty() ? "it misses a bound by less than the rounding of doubles" : joined(found, "; ")) + ".";
 }
 
 /// In floating point.
@@ -162,13 +151,9 @@ private:
     json["psi_bounds"] = there.has_values ? toJson(there.psi) : Json();
     json["rho_bounds"] = there.has_values ? toJson(there.rho) : Json();
     json["binding"] = toJson(machine, there.binding());
-    json["message"] = message(machine, there, quality(criterion_));
+    json["message"] = pkm_workspace::describe(there, evaluator);
     if (there.verdict == BoxVerdict::INSIDE)
-    {
-      const JointReaches reaches = reachAt(there.rho);
-      addLimits(machine, criterion_, reaches, json);
-      json["message"] = withRemark(json["message"], remarkOnLimits(machine, criterion_, reaches));
-    }
+      addLimits(machine, criterion_, reachAt(there.rho), json);
     return json;
   }
 

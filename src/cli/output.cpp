@@ -15,12 +15,15 @@ namespace pkm_workspace
 {
 namespace cli
 {
+Json contextOf(const Machine& machine)
+{
+  return { { "machine", machine.name() }, { "geometry_hash", machine.geometryHash() }, { "version", version() } };
+}
+
 Json contextOf(const Machine& machine, const Criterion& criterion)
 {
-  Json json = { { "machine", machine.name() },
-                { "geometry_hash", machine.geometryHash() },
-                { "version", version() },
-                { "joint_limits", criterion.joint_limits && machine.hasJointLimits() } };
+  Json json = contextOf(machine);
+  json["joint_limits"] = criterion.joint_limits && machine.hasJointLimits();
   json["set"] = name(criterion.set);
   json["aspect"] = name(criterion.aspect);
   for (const CriterionBound& bound : CRITERION_BOUNDS)

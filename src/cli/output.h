@@ -23,7 +23,8 @@ namespace cli
 {
 using Json = nlohmann::json;
 
-/// What every answer says of itself: machine, geometry_hash, version, and the criterion in effect.
+/// What every answer says of itself: machine, geometry_hash, version; and the criterion in effect, where there is one.
+Json contextOf(const Machine& machine);
 Json contextOf(const Machine& machine, const Criterion& criterion);
 Json toJson(const Eigen::Vector3d& v);
 Json toJson(const Box& box);

@@ -139,7 +139,7 @@ std::vector<std::string> violations(const PointEvaluation& there, const Machine&
     if (limit.isViolated())
       found.push_back(describe(limit, machine));
   if (found.empty() && !there.has_values && there.verdict == BoxVerdict::OUTSIDE)
-    found.push_back("a strut is across its rail (serial singularity)");
+    found.push_back(describe(there.binding(), machine) + " (serial singularity)");
   return found;
 }
 }  // namespace pkm_workspace

@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/report/path_sentence.h"
+#include "pkm_workspace/report/point_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/solid_message.h"
@@ -120,13 +120,13 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
   return message;
 }
 
-void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response)
+void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response)
 {
   response.verdict = constantOf(evaluation.verdict);
   response.within_reach = constantOf(evaluation.within_reach);
   response.has_values = evaluation.has_values;
-  response.limit = toMessage(evaluation.binding(), machine);
-  response.message = describe(evaluation.binding(), machine);
+  response.limit = toMessage(evaluation.binding(), evaluator.machine());
+  response.message = describe(evaluation, evaluator);
   if (!evaluation.has_values)
     return;
   for (std::size_t i = 0; i < 3; ++i)

@@ -28,13 +28,6 @@ bool asksForLimits(const PointEvaluator& evaluator)
   return evaluator.test().model().criterion().joint_limits;
 }
 
-/// Says what an answer without joint limits means for these.
-template <class Response>
-void addRemark(const PointEvaluator& evaluator, const JointReaches& reaches, Response& response)
-{
-  const Criterion& criterion = evaluator.test().model().criterion();
-  response.message = withRemark(response.message, remarkOnLimits(evaluator.machine(), criterion, reaches));
-}
 }  // namespace
 
 PlannerService::PlannerService(NodeContext& context)
@@ -123,7 +116,9 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
   const PathResult result = checker.finish();
   fill(result, evaluator->machine(), response);
   if (result.motion && !is_limited)
-    addRemark(*evaluator, reach.over(*result.motion), response);
+    response.message = withRemark(
+        response.message,
+        remarkOnLimits(evaluator->machine(), evaluator->test().model().criterion(), reach.over(*result.motion)));
 }
 
 void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response)
@@ -132,9 +127,6 @@ void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, Evalua
   Problems problems;
   requireFinite("point", fromMessage(request.point), problems);
   throwProblems(problems);
-  const PointEvaluation evaluation = (*evaluator)(fromMessage(request.point));
-  fill(evaluation, evaluator->machine(), response);
-  if (evaluation.verdict == BoxVerdict::INSIDE)
-    addRemark(*evaluator, reachAt(evaluation.rho), response);
+  fill((*evaluator)(fromMessage(request.point)), *evaluator, response);
 }
 }  // namespace pkm_workspace

@@ -44,6 +44,29 @@ class Check(CommandTest):
         self.assertEqual(self.check(ORTHOGLIDE, (0, 0, 0), (0.5, 0, 0))["verdict"], "inside")
         self.assertEqual(self.check(ORTHOGLIDE, (0, 0, 0), (5, 0, 0))["verdict"], "outside")
 
+    def test_round_bodies(self):
+        """As test/ros/planner_test.cpp asks the node for them."""
+        for body, verdict, shape, dimensions in (
+                (("--radius", 0.4), "inside", "sphere", [0.4]), (("--radius", 0.8), "outside", "sphere", [0.8]),
+                (("--radius", 0.3, "--height", 0.4), "inside", "cylinder", [0.4, 0.3]),
+                (("--radius", 0.9, "--height", 0.4), "outside", "cylinder", [0.4, 0.9]),
+                (("--radius", 0.3, "--height", 0), "inside", "disc", [0, 0.3]),
+                (("--radius", 0, "--height", 0.3), "inside", "box", [0, 0, 0.3]),
+                (("--shape", "cylinder", "--ratio", 0.75, 0.75, "--size", 0.4), "inside", "cylinder", [0.4, 0.3])):
+            answer = self.answer("check", "--urdf", ORTHOGLIDE, "--center", 0, 0, 0, *body)
+            self.assertEqual((answer["verdict"], answer["shape"]), (verdict, shape))
+            for told, asked in zip(answer["dimensions"], dimensions):
+                self.assertBrackets(told, asked, told, 1e-15)
+            self.assertRegex(answer["message"], rf"(every point|lies in) (of )?the {shape} ")
+
+    def test_what_largest_finds_is_inside_and_its_bound_outside(self):
+        for shape in (("sphere", ), ("cylinder", "--ratio", 0.5, 0.5)):
+            body = ("--urdf", ORTHOGLIDE, "--shape", *shape)
+            found = self.answer("largest", *body, "--accuracy", 0.01)
+            for size, verdict in ((found["size"], "inside"), (found["size_upper_bound"] * 1.05, "outside")):
+                answer = self.answer("check", *body, "--size", size, "--center", *found["center"])
+                self.assertEqual(answer["verdict"], verdict)
+
     def test_other_aspect_is_outside(self):
         self.assertEqual(self.check(ORTHOGLIDE, [-0.545923012] * 3, [0.06] * 3)["verdict"], "outside")
 

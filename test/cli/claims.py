@@ -19,7 +19,7 @@ class Case(SimpleNamespace):
 
     words = ()
     definition = None  # a text with the criterion
-    region = size = bad_point = None
+    region = size = bad_point = point = None
     segments = None  # of a path: name, start, end
     findings = None  # on singularities: serial or parallel, joint or "", status, point or None, bounds of the least
     figures = center = lowest = None  # of a comparison: label to bounds; of its region, and its least joint values
@@ -129,15 +129,14 @@ def large_cylinder(case, match, centers):
         no_region(case, Region("cylinder", [height, ratio * height], center), 1, [center])
 
 
-def box_of(case):
-    match = re.search(rf"with center \({N}, {N}, {N}\) m and sides \({N}, {N}, {N}\) m", " ".join(case.text.split()))
-    values = [float(x) for x in match.groups()]
-    return Region("box", values[3:], values[:3])
+def body_of(case):
+    match = re.search(rf", (\w+) with center \({N}, {N}, {N}\) m, (sides|radius|height) (.*? m)$", case.text, re.M)
+    return Region(match[1], numbers(match[6]), [float(x) for x in match.groups()[1:4]])
 
 
 def region_of(case):
-    """What a sentence on a region is about: what was asked for, or the box that the text names."""
-    return case.region or box_of(case)
+    """What a sentence on a region is about: what was asked for, or the body that the text names."""
+    return case.region or body_of(case)
 
 
 def inside(case, match):
@@ -152,6 +151,26 @@ def bad_point_of(case):
 
 def bad_point(case, match):
     point = bad_point_of(case)
+    hold(case.machine.verdict(point, case.criterion) == BAD, point, "is not bad")
+    for text in match["reasons"].split("; "):
+        reason(case, text, point)
+
+
+def point_of(case):
+    """What was asked for, or the tool point that the text names."""
+    return case.point or numbers(re.search(r"at the tool point (\(.*?\)) m", case.text)[1])
+
+
+def good_point(case, match):
+    point = point_of(case)
+    hold(case.machine.verdict(point, case.criterion) == GOOD, point, "is not good")
+    reason(case, match["limit"], point)
+    if match["remark"]:
+        remark_on(case, match["remark"], [(rho, rho) for rho in case.machine.state(point).rhos])
+
+
+def no_good_point(case, match):
+    point = point_of(case)
     hold(case.machine.verdict(point, case.criterion) == BAD, point, "is not bad")
     for text in match["reasons"].split("; "):
         reason(case, text, point)

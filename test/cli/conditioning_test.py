@@ -35,6 +35,19 @@ class Conditioning(AnalysisTest):
                              "--size", 1e-9)
         self.assertBrackets(answer["index"][0], 0.5, answer["index"][1], 1e-8)
 
+    def test_a_body_is_given_by_its_size_or_by_what_it_measures(self):
+        at = ("conditioning", "--urdf", ORTHOGLIDE, "--center", 0, 0, 0, "--accuracy", 0.1)
+        for named, measured in ((("--shape", "sphere", "--size", 0.25), ("--radius", 0.25)),
+                                (("--shape", "cylinder", "--ratio", 0.5, 0.5, "--size", 0.25),
+                                 ("--radius", 0.125, "--height", 0.25)),
+                                (("--shape", "cube", "--size", 0.25), ("--sides", 0.25, 0.25, 0.25))):
+            one, other = self.answer(*at, *named), self.answer(*at, *measured)
+            self.assertEqual((one["index"], one["measure"]), (other["index"], other["measure"]))
+
+    def test_no_criterion_is_told_of_a_region(self):
+        answer = self.answer("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", 0.1)
+        self.assertFalse({"set", "aspect", "joint_limits", "psi_min", "psi_max"} & set(answer))
+
     def test_the_whole_set_and_its_budget(self):
         answer = self.answer("conditioning", "--urdf", URANESX, "--joint-limits", "off", "--accuracy", 0.1)
         self.assertTrue(answer["complete"])
@@ -61,8 +74,9 @@ class Conditioning(AnalysisTest):
         self.assertIn("The struts reach no point of it", self.text(*words))
 
     def test_refusals(self):
-        for words, reason in (((*CUBE[:-2],), "--center and --size go together"),
-                              (("--shape", "sphere"), "--shape needs --center and --size"),
+        for words, reason in (((*CUBE[:-2],), "--center and --size, --sides or --radius go together"),
+                              (("--shape", "sphere"), "--shape needs --size"),
+                              (("--radius", "0.1"), "--center and --size, --sides or --radius go together"),
                               ((*CUBE, "--max-memory", "4095"), "max-memory 4095: must be at least 4096 bytes"),
                               ((*CUBE, "--aspect", "other"), "all points of a region count: leave out --aspect"),
                               ((*CUBE, "--psi-min", "0.4"), "all points of a region count: leave out --psi-min"),
@@ -94,7 +108,7 @@ class Singularities(AnalysisTest):
             self.assertIn(f"{ended_by} ended the search", answer["message"])
 
     def test_refusals(self):
-        self.assertRefused("needs --center and --size", "singularities", "--urdf", ORTHOGLIDE, "--shape", "cube")
+        self.assertRefused("--shape needs --size", "singularities", "--urdf", ORTHOGLIDE, "--shape", "cube")
 
 
 if __name__ == "__main__":

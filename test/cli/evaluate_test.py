@@ -64,11 +64,11 @@ class Evaluate(CommandTest):
         point = (-0.546, -0.546, -0.546)
         text = self.text("evaluate", "--urdf", ORTHOGLIDE, "--set", "reachable", "--point", *point)
         self.assertRegex(text, r"within reach +yes \(proved\)\n +reachable +no \(proved\)\n")
-        self.assertRegex(text, r"The point is not reachable in the machine's own aspect: det A")
+        self.assertRegex(text, r"Proved: the point is not reachable in the machine's own aspect: det A")
         for aspect, words in (("other", "in the machine's other aspect"), ("both", "in either aspect")):
             answer = self.evaluate(ORTHOGLIDE, point, "--aspect", aspect)
             self.assertIs(answer["dextrous"], True)
-            self.assertEqual(answer["message"], f"The point is dextrous {words}.")
+            self.assertIn(f"Proved: the point is dextrous {words}; the nearest limit: ", answer["message"])
 
     def test_psi_bounds_decide(self):
         point = (0.3, 0.3, 0.3)
@@ -130,6 +130,8 @@ class Evaluate(CommandTest):
     def test_border_is_undecided(self):
         answer = self.evaluate(ORTHOGLIDE, (0, 0, 0), "--psi-min", 1, "--psi-max", 1)
         self.assertIsNone(answer["dextrous"])
+        self.assertIn("Neither is proved: the border of the set is within rounding of the point, where the ",
+                      answer["message"])
 
     def test_joint_limits_decide_unless_they_are_left_aside(self):
         urdf = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.1))

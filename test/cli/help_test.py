@@ -15,6 +15,7 @@ MACHINE = {"urdf", "rails", "tcp-links"}
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
 BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64 (\w+)$", REQUEST)}
 CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS
+BODY = {"shape", "proportions", "ratio", "size", "sides", "radius", "height"}
 TIME = {"time-limit", "progress"}
 BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
 COMMON = {"json", "help"}
@@ -22,7 +23,7 @@ OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | TIME | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
-    "check": MACHINE | CRITERION | COMMON | TIME | {"center", "centers", "sides", "max-boxes", "multi-precision"},
+    "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
     "compare": MACHINE | CRITERION | BUDGET | COMMON
@@ -30,9 +31,9 @@ OPTIONS = {
     "study": MACHINE | CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
-    | {"shape", "proportions", "ratio", "center", "size", "aspect", "joint-limits", "accuracy"},
+    | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
-    | {"shape", "proportions", "ratio", "center", "size", "accuracy"},
+    | BODY | {"center", "accuracy"},
     "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
 }
 

@@ -24,11 +24,15 @@ WRONG = {
     "largest": (times(r"dimensions +(?:0\.0+ x )?", 1.5), times(r"center +\(", 99),
                 times(r"of\s+a\s+size\s+above\s+", 0.7)),
     "status": (instead("proven", "none"), ),
-    "inside": (times(r"sides\s+\(", 9), ),
+    "inside": (times(r"sides\s+\(", 9), times(r"radius ", 9)),
     "remark": (instead(r"all\s+rails\s+stay\s+within\s+their\s+limits|Joint limits are off: ([^.]|\.\d)*\.",
                        "'rail_1' would leave its upper limit, 0.2 m, by at least 99 m"), ),
     "bad point": (instead(r"(bad point +)\(.*\)", r"\1(GOOD)"), instead(r"is\s+not\s+(\w+) (.*?): [^;]*(;|\.\s+D)",
                                                                          r"is not \1 \2: it is ugly\3")),
+    "good point": (instead(r"(: the point is \w+ in [^;]*)", r"\1 (not)"), times(r"factor is ", 2),
+                   times(r"tool point \(", 99)),
+    "no good point": (instead(r"tool point \(.*\) m", "tool point (GOOD)"),
+                      instead(r"aspect: [^;.]*", "aspect: it is ugly")),
     "singular point": (instead(r"(bad point +)\(.*\)", r"\1(GOOD)"), times(r"no\s+further\s+than\s+", 1e12)),
     "centers": (instead(r"(all|none) are proved to", "some are proved to, and some not to,"), ),
     "path inside": (instead(r"transmission\s+factors\s+in\s+\[[\d.]+", "transmission factors in [0.999"), ),
@@ -123,6 +127,15 @@ class Proved(CommandTest):
                     self.held(name, "check", *self.box_words(name, share), *more)
             words = ("--psi-min", 0.7, "--psi-max", 1.4)
             self.held(name, "check", *self.box_words(name, 0.3), *words)
+
+    def test_round_bodies(self):
+        for name in self.urdfs:
+            span = self.machines[name].span
+            for body in ((0.1, ), (0.5, ), (0.1, 0.1), (0.1, 0), (0.6, 0.3)):
+                words = [word for pair in zip(("--radius", "--height"), [share * span for share in body])
+                         for word in pair]
+                for more in ((), ("--joint-limits", "off")):
+                    self.held(name, "check", *self.box_words(name, 1)[:4], *words, *more)
 
     def test_boxes_of_one_aspect(self):
         """Also those that meet a sphere where two struts are one."""

@@ -43,7 +43,8 @@ def strut(machine, name, text, state, slack):
     hold(match and abs(float(match[1]) - length) <= 1e-8 * length, name, text, "but it is", length)
     far = re.fullmatch(rf" and (would have to reach|reaches) {N} m across its rail", match[2])
     near = re.fullmatch(rf", too short to reach across its rail(?:, by at most {N} m)?", match[2])
-    just = re.fullmatch(rf" and reaches as far across its rail(?: or less)?(?:, to within {N} m| exactly)?", match[2])
+    just = re.fullmatch(rf" and reaches as far across its rail(?: or less)?(?:, to within {N} m| exactly)?"
+                        r"(?: \(serial singularity\))?", match[2])
     hold(far or near or just, "no pattern knows the reason:", text)
     is_kept = just or far and far[1] == "reaches"
     hold(is_kept or across >= length - slack, text, "but it reaches", across, "of", length)

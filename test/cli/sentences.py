@@ -38,6 +38,9 @@ CLAIMS = {
     "singular point": (r"Proved: no further than (?P<within>\S+) m from the bad point the \w+ has a point where two "
                        r"struts are one vector, so that det A is 0: a parallel singularity, which belongs to no "
                        r"aspect\.", claims.singular_point),
+    "good point": (rf"Proved: the point is {QUALITY}; the nearest limit: (?P<limit>.*?)\."
+                   r"(?: (?P<remark>Joint limits are off: .*))?", claims.good_point),
+    "no good point": (rf"Proved: the point is not {QUALITY}: (?P<reasons>.*)\.", claims.no_good_point),
     "centers": (CENTERS, claims.shares),
     "path inside": (r"Proved: every point of the path is in the set\.(?: (?P<remark>Joint limits are off: .*))?",
                     claims.path_inside),

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from claims import bracket, no_region, placements, region_of_words, row, without_region
 from oracle import BAD, GOOD, Region
-from reasons import N, Wrong, hold, reason
+from reasons import N, Wrong, hold
 
 REACHABLE = SimpleNamespace(psi=None, limits=False, aspect="both")
 
@@ -174,11 +174,6 @@ def evaluated(case, match):
     if match["what"] == "own aspect":
         return hold(told == (state.det * case.machine.sign > 0), "own aspect:", told)
     hold(case.machine.verdict(point, case.criterion) == (GOOD if told else BAD), match["what"], told, "at", point)
-    flat = " ".join(case.text.split())
-    text = re.search(r"The point is not .*? aspect(?:: (.*?))?\.(?= Dextrous:| Reachable:)", flat)
-    hold(told == (text is None), case.text)
-    for words in (text[1].split("; ") if text and text[1] else []):
-        reason(case, words, point)
     if state.in_reach:
         for value, number in zip(state.psi(), re.findall(N, row(case.text, "psi"))):
             if abs(value - float(number)) > 1e-6 * (1 + value):

@@ -115,10 +115,10 @@ def binding(case, limit, point):
     hold(limit.margin.lower - slack <= margin <= limit.margin.upper + slack, limit, "but it is", margin)
 
 
-def point(case, match):
+def point(case):
+    """The numbers beside the sentence."""
     answer = case.answer
     state = case.machine.state(case.point)
-    reason(case, match["reason"], case.point)
     binding(case, answer.limit, case.point)
     hold(answer.within_reach == (answer.INSIDE if state.in_reach else answer.OUTSIDE), "within reach", answer)
     verdict = {answer.INSIDE: GOOD, answer.OUTSIDE: BAD}[answer.verdict]
@@ -130,8 +130,6 @@ def point(case, match):
                                  [*psi, *state.rhos, state.det, psi[2] / psi[0]]):
             slack = 1e-6 * (1 + abs(value))
             hold(bounds.lower - slack <= value <= bounds.upper + slack, bounds, "but it is", value)
-    if match["remark"]:
-        remark_on(case, match["remark"], [(rho, rho) for rho in state.rhos])
 
 
 def path(case):

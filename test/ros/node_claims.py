@@ -15,8 +15,8 @@ QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularitie
 REMARK = r"(?:\. (?P<remark>Joint limits are off: .*))?"
 MEAN = rf"global conditioning index from {N} to {N}(?:, to the accuracy asked for|\. .*)"
 EFFORT = r" \d+ boxes, \S+ s"
-BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "path inside", "path leaves",
-              "singularities")
+BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
+              "path inside", "path leaves", "singularities")
 
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
@@ -25,7 +25,6 @@ CLAIMS = {
     "no region": (r"(?P<none>no (?:region|cylinder) .*, proved)", answers.region),
     "wide": (r"(?:.* ended the search: the bracket holds, but is wide|the accuracy is below what .*?)" + REMARK,
              answers.region),
-    "limit": (r"(?P<reason>(?:the|joint|det) .*?)" + REMARK, answers.point),
     "mean": (MEAN, answers.mean),
     "set": (r"(?P<complete>Every box down to the resolution was looked at\.)|A limit or a cancel ended it early: .*",
             answers.paving),
@@ -60,7 +59,7 @@ RARE = {"singular point", "box undecided", "wide told", "tool elsewhere"}  # may
 SOURCES = {
     "check_region": ("inside", "remark", "bad point", "singular point", "nothing"),
     "check_path": ("path inside", "path leaves", "nothing"),
-    "evaluate_point": ("limit", ),
+    "evaluate_point": ("good point", "no good point", "nothing"),
     "compute_largest_region": REGION,
     "find_largest_region": REGION,
     "get_region": REGION,
@@ -80,7 +79,7 @@ SOURCES = {
 }
 INSIDE, OUTSIDE, UNDECIDED = 1, 2, 3
 VERDICTS = {"inside": INSIDE, "remark": INSIDE, "bad point": OUTSIDE, "singular point": OUTSIDE, "nothing": UNDECIDED,
-            "path inside": INSIDE}
+            "path inside": INSIDE, "good point": INSIDE, "no good point": OUTSIDE}
 
 
 def definition_of(hypotheses):
@@ -106,6 +105,8 @@ def check(case):
             hold(case.answer.verdict == VERDICTS[name], name, case.answer)
         if case.source == "check_path":
             answers.path(case)
+        if case.source == "evaluate_point":
+            answers.point(case)
         return name
     hold(False, "no pattern knows what", case.source, "says:", case.text)
     return math.nan

@@ -208,6 +208,8 @@ TEST(EvaluatePoint, tellsHowTheMachineStands)
   const auto good = evaluate(0.0, 0.0, 0.0);
   ASSERT_EQ(ErrorCode::SUCCESS, good.error_code) << good.message;
   EXPECT_EQ(EvaluatePoint::Response::INSIDE, good.verdict);
+  EXPECT_EQ(0U, good.message.find("Proved: the point is dextrous in the machine's own aspect; the nearest limit: the "))
+      << good.message;
   ASSERT_TRUE(good.has_values);
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -220,6 +222,8 @@ TEST(EvaluatePoint, tellsHowTheMachineStands)
   EXPECT_EQ(BindingLimit::REACH, far.limit.kind);
   EXPECT_FALSE(far.limit.joint.empty());
   EXPECT_LT(far.limit.margin.upper, 0.0);
+  EXPECT_EQ(0U, far.message.find("Proved: the point is not dextrous in the machine's own aspect: the strut of '"))
+      << far.message;
   const auto stretched = evaluate(0.45, 0.45, 0.45);
   EXPECT_EQ(EvaluatePoint::Response::OUTSIDE, stretched.verdict);
   EXPECT_EQ(EvaluatePoint::Response::INSIDE, stretched.within_reach);

@@ -25,7 +25,7 @@ std::string frameOf(const CheckPath::Request& request);
 BindingLimit toMessage(const Limit& limit, const Machine& machine);
 
 /// Fills all that the evaluation tells.
-void fill(const PointEvaluation& evaluation, const Machine& machine, EvaluatePoint::Response& response);
+void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response);
 /// All but the verdicts on the segments.
 void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response);
 }  // namespace pkm_workspace

@@ -4,19 +4,12 @@
 #include <pkm_workspace/Bounds.h>
 #include <shape_msgs/SolidPrimitive.h>
 
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/solid.h"
 
 namespace pkm_workspace
 {
-/// A shape of a given size: exactly the solid of a message, nothing is rounded.
-struct Solid
-{
-  ShapePtr shape;
-  double size = 1.0;
-};
-
 /// Reads a box, a sphere, or a cylinder along z.
-/// @throws std::invalid_argument naming every dimension that is missing or out of range, or another type
+/// @throws std::invalid_argument with the dimensions and what they must be, or with another type
 Solid fromMessage(const shape_msgs::SolidPrimitive& message);
 
 /// NaN twice for the empty set.
