@@ -4,6 +4,7 @@
 #include "output.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/conditioning_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
 #include "region_option.h"
@@ -69,11 +70,14 @@ public:
     json["boxes"] = found.boxes;
     json["seconds"] = found.seconds;
     addLimits(machine, criterion_, reaches, json);
-    return { json, print(found) + wrapped(remarkOnLimits(machine, criterion_, reaches)) };
+    const std::string message = pkm_workspace::describe(found, query_.budget);
+    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
+    json["message"] = withRemark(message, remark);
+    return { json, print(found, message) + wrapped(remark) };
   }
 
 private:
-  std::string print(const GlobalConditioning& found) const
+  std::string print(const GlobalConditioning& found, const std::string& message) const
   {
     const std::string over = region_.given() ? "the " + region_.shape()->name() : "the set";
     const std::vector<Words> rows = { { "global conditioning index", describe(found.index) },
@@ -81,8 +85,8 @@ private:
                                                              std::to_string(found.dimension) + ", the measure of " +
                                                              over },
                                       { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
-    return aligned(rows, Align::LEFT) + wrapped(remarkOn(found, query_.budget)) +
-           (region_.given() ? "" : "\n" + wrapped(definition(machine_.machine(), criterion_)));
+    return aligned(rows, Align::LEFT) + "\n" + wrapped(message) +
+           (region_.given() ? "" : wrapped(definition(machine_.machine(), criterion_)));
   }
 
   MachineOptions machine_;

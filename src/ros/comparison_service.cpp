@@ -23,8 +23,8 @@ std::vector<FramedMachine> readMachines(const std::vector<std::string>& urdfs)
   Problems problems;
   std::vector<FramedMachine> machines;
   if (urdfs.empty() || urdfs.size() > MOST_MACHINES)
-    problems.push_back("urdfs must be from 1 to " + std::to_string(MOST_MACHINES) + ", they are " +
-                       std::to_string(urdfs.size()));
+    problems.push_back("urdfs lists " + std::to_string(urdfs.size()) + " machines; it must list from 1 to " +
+                       std::to_string(MOST_MACHINES));
   throwProblems(problems);
   for (std::size_t k = 0; k < urdfs.size(); ++k)
     try
@@ -92,7 +92,7 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
     response.machines.push_back(messageOf(in, study));
     done.stopped = done.stopped || study.region.status == LargestRegion::Status::STOPPED || !study.workspace.complete;
   }
-  response.message = std::to_string(machines.size()) + " machines compared";
+  response.message = std::to_string(machines.size()) + " machines were compared.";
   ROS_INFO_STREAM_NAMED("server", response.message);
   done.answer = response.message;
   done.seconds = (ros::WallTime::now() - begin).toSec();

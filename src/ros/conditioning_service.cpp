@@ -3,9 +3,9 @@
 
 #include <ros/console.h>
 
-#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
+#include "pkm_workspace/report/conditioning_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -28,13 +28,6 @@ void requireUnused(const Request& request, Problems& problems)
   if (request.over != Request::REGION &&
       (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))
     problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
-}
-
-std::string sentence(const GlobalConditioning& found, const Budget& budget)
-{
-  const std::string remark = remarkOn(found, budget);
-  return "global conditioning index from " + bracket(found.index.lower(), found.index.upper()) +
-         (remark.empty() ? ", to the accuracy asked for" : ". " + remark);
 }
 
 GlobalConditioning overRegion(const Machine& machine, const Request& request, const ConditioningQuery& query)
@@ -84,8 +77,8 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
   response.boxes = found.boxes;
   response.seconds = found.seconds;
   const auto reaches = of_region ? std::nullopt : reachOver(*in.machine, criterion);
-  response.message = withRemark(sentence(found, query.budget), remarkOnLimits(*in.machine, criterion, reaches));
-  ROS_INFO_STREAM_NAMED("server", response.message << "; " << found.seconds << " s");
+  response.message = withRemark(describe(found, query.budget), remarkOnLimits(*in.machine, criterion, reaches));
+  ROS_INFO_STREAM_NAMED("server", response.message << " " << found.seconds << " s");
   context_.health.noteComputation({ asked, response.message, found.seconds, !found.complete });
 }
 }  // namespace pkm_workspace

@@ -57,13 +57,13 @@ class Conditioning(AnalysisTest):
                                 (("--time-limit", 1e-9), "the time limit of 1e-09 s")):
             stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, *words)
             self.assertFalse(stopped["complete"])
-            self.assertIn(f"{ended_by} ended it", self.text("conditioning", "--urdf", ORTHOGLIDE, *words))
+            self.assertIn(f"{ended_by} ended it", stopped["message"])
 
     def test_the_memory_is_a_limit(self):
         words = ("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", "1e-9", "--max-memory", "50000")
         answer = self.answer(*words)
         self.assertFalse(answer["complete"])
-        self.assertIn("the limit of 50000 bytes of memory ended it", self.text(*words))
+        self.assertIn("the limit of 50000 bytes of memory ended it", answer["message"])
 
     def test_out_of_reach_it_is_0(self):
         words = ("conditioning", "--urdf", ORTHOGLIDE, "--shape", "sphere", "--center", "9", "9", "9", "--size", "0.1",
@@ -71,7 +71,7 @@ class Conditioning(AnalysisTest):
         answer = self.answer(*words)
         self.assertTrue(answer["complete"])
         self.assertEqual(answer["index"], [0, 0])
-        self.assertIn("The struts reach no point of it", self.text(*words))
+        self.assertIn("The struts reach no point of it", answer["message"])
 
     def test_refusals(self):
         for words, reason in (((*CUBE[:-2],), "--center and --size, --sides or --radius go together"),

@@ -42,6 +42,7 @@ WRONG = {
     "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"),
                       instead(r"there\s+are\s+[^.]*,\s+and\s+no", "there are no"),
                       times(r"\|eta\| \[m\] (?=0\.\d*[1-9])", 2)),
+    "mean": (times("index\\s+is\\s+from\\s+", 1.5), ),
     "study": (times(r"of\s+a\s+size\s+above\s+", 0.8), times(r"of\s+size\s+", 1.2)),
     "comparison": (times(r"cube: edge \[m\] +\w+ +", 1.3), times(r"volume for these strokes \[m\^3\] +\w+ +", 9)),
     "evaluation": (instead("yes", "no"), instead(r"no \(", "yes (")),
@@ -181,6 +182,13 @@ class Proved(CommandTest):
         for name in self.urdfs:
             for more in ((), ("--aspect", "other"), ("--set", "reachable", "--aspect", "both")):
                 self.held(name, "pave", "--resolution", self.accuracy(name, 0.1), *more)
+
+    def test_means(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            self.held(name, "conditioning", "--shape", "cube", "--center", *center, "--size",
+                      0.3 * self.machines[name].span, definition="Reachable: all points, in either aspect.")
+            self.held(name, "conditioning", "--accuracy", 0.1)
 
     def test_singularities(self):
         for name in self.urdfs:

@@ -20,6 +20,8 @@ LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on "
           r"(?:, and is outside somewhere between these)?: (?P<reason>.*?)\."
           r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
           r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
+MEAN = (rf"Proved: the global conditioning index is from (?P<lower>{N}) to (?P<upper>{N})"
+        r"(?P<complete>, to the accuracy asked for)?\.(?: .*?\.)?")
 STUDY = (r"Proved: (?:the machine with \S+ = (?P<parameter>\S+) m has the \w+ of size (?P<size>\S+) with its center at "
          r"(?P<center>\(.*?\)) m; no machine of the range has one|(?P<none>no machine of the range has a \w+)) "
          r"of a size above (?P<above>[\d.e+-]+?)"
@@ -49,6 +51,7 @@ CLAIMS = {
                rf"(?P<bracket>{BRACKET}) m\^[23]\.(?: The rails are parallel: the box is flat, across the axis they "
                r"run along, and in every plane parallel to it the area is the same\.)?(?: Ended early by .*)?",
                claims.volume),
+    "mean": (MEAN, table_claims.mean),
     "singularities": (r"(?:Undecided: (?P<open>.*?), where .*?\. )?Proved: (?:no point that counts is singular|"
                       r"there are (?:(?P<there>.*), and )?no others)\.(?: (?P<remark>Joint limits are off: .*)|"
                       rf" {N}.*)?",

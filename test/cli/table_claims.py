@@ -49,6 +49,23 @@ def everywhere(case, count):
         yield [x + case.rng.uniform(-span, span) / 2 for x in center]
 
 
+def mean(case, match):
+    """Of 1 / kappa, 0 out of reach, over points that are spread evenly."""
+    lower, upper = float(match["lower"]), float(match["upper"])
+    region = case.region or region_of_words(case)
+    points = (region.point([case.rng.random() for _ in range(3)]) for _ in range(3000)) if region else \
+        everywhere(case, 4000)
+    values = []
+    for p in points:
+        if region or case.machine.verdict(p, case.criterion) == GOOD:
+            state = case.machine.state(p)
+            psi = state.psi() if state.in_reach else [0, 0, 1]
+            values.append(psi[0] / psi[2])
+    average = sum(values) / len(values)
+    error = 4 * math.sqrt(sum((x - average)**2 for x in values)) / len(values) + 1e-9
+    hold(lower - error <= average <= upper + error, "samples say", average, "within", error)
+
+
 def is_singular_near(case, point, leg):
     """The measure, or what its root is taken of, has both signs near the point that is told to four digits."""
     width, values = 2e-3 * case.machine.span, []

@@ -34,6 +34,7 @@ COVERED = {
     "no region as large as the accuracy exists where the center may lie, proved": {COMMAND: ("status", ),
                                                                                    NODE: ("no region", )},
     "whether all rails stay within their limits is not proved": {COMMAND: ("nothing", ), NODE: ("remark", )},
+    "Proved: the global conditioning index is from ": {COMMAND: ("mean", ), NODE: ("mean", )},
     "the set has no proved volume.": {NODE: ("mean", )},
     "Proved: the points of the box that are ": {COMMAND: ("volume", )},
     "Proved: no machine of the range has a ": {COMMAND: ("study", )},

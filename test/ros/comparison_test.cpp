@@ -56,7 +56,9 @@ TEST(CompareMachines, refusesWhatIsNoMachineByItsPlace)
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, refused.error_code);
   EXPECT_NE(std::string::npos, refused.message.find("urdfs[1]: ")) << refused.message;
   EXPECT_TRUE(refused.machines.empty());
-  EXPECT_EQ(ErrorCode::INVALID_REQUEST, call<CompareMachines>("compare_machines", {}).error_code);
+  const auto none = call<CompareMachines>("compare_machines", {});
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, none.error_code);
+  EXPECT_EQ("urdfs lists 0 machines; it must list from 1 to 16", none.message);
 }
 }  // namespace test
 }  // namespace pkm_workspace

@@ -109,7 +109,7 @@ TEST(Diagnostics, tellOfComparisons)
   CompareMachines::Request request;
   request.urdfs = { writeUrdf(orthoglidePrototype()) };
   ASSERT_EQ(ErrorCode::SUCCESS, call<CompareMachines>("compare_machines", request).error_code);
-  EXPECT_EQ("2 machines compared", valuesOf(computation("comparison"))["answer"]);
+  EXPECT_EQ("2 machines were compared.", valuesOf(computation("comparison"))["answer"]);
 }
 
 TEST(Diagnostics, andMessagesStayShortAfterLongRequests)

@@ -13,7 +13,6 @@ from reasons import N, hold
 QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularities of|global conditioning index of|"
             r"comparison by the largest) .*)")
 REMARK = r"(?:\. (?P<remark>Joint limits are off: .*))?"
-MEAN = rf"global conditioning index from {N} to {N}(?:, to the accuracy asked for|\. .*)"
 EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
               "path inside", "path leaves", "singularities")
@@ -25,10 +24,10 @@ CLAIMS = {
     "no region": (r"(?P<none>no (?:region|cylinder) .*, proved)", answers.region),
     "wide": (r"(?:.* ended the search: the bracket holds, but is wide|the accuracy is below what .*?)" + REMARK,
              answers.region),
-    "mean": (MEAN, answers.mean),
+    "mean": (sentences.MEAN, answers.mean),
     "set": (r"(?P<complete>Every box down to the resolution was looked at\.)|A limit or a cancel ended it early: .*",
             answers.paving),
-    "comparison": (r"(?P<count>\d+) machines compared", answers.comparison),
+    "comparison": (r"(?P<count>\d+) machines were compared\.", answers.comparison),
     "asked": ("computing: " + QUESTION, None),
     # log lines and /diagnostics: the answer to the question before it
     "region told": (r"(?:(?P<found>\w+) at \((?P<center>.*?)\) m of frame '\w+', .*? "
@@ -37,8 +36,8 @@ CLAIMS = {
                     rf"(?P<proof>{sentences.CLAIMS['largest'][0]}){EFFORT}", answers.region_told),
     "set told": (rf"set of measure (?P<bracket>{N} to {N}) m\^(?P<dimension>[23]);{EFFORT}", answers.set_told),
     "singularities told": (r"(?P<sentence>.*\.)(?: \S+ s)?", answers.singularities_told),
-    "mean told": (rf"(?P<sentence>{MEAN})(?:; \S+ s)?", answers.mean_told),
-    "comparison told": (r"\d+ machines compared", None),
+    "mean told": (rf"(?P<sentence>{sentences.MEAN})(?: \S+ s)?", answers.mean_told),
+    "comparison told": (r"\d+ machines were compared\.", None),
     "wide told": (r"the bounds are wider than asked: .*", None),
     "other": (r"(?!.*prove).*", None),  # of the URDF, and of the boxes in a picture
     # markers
