@@ -194,7 +194,9 @@ private:
 
   Answer answerPaper(const Tell& tell)
   {
-    Json json = { { "rows", Json::array() }, { "joint_limits", false } };
+    const Criterion criterion;  // the paper's
+    Json json = toJson(criterion);
+    json["rows"] = Json::array();
     std::vector<Words> lines = { { "place", "what", "paper", "ours", "the paper's" } };
     for (const PaperRow& row : paperRows(accuracy_.valueFor(orthoglide()), query_.budget, tell))
     {
@@ -204,7 +206,8 @@ private:
     return { json, aligned(lines, Align::LEFT) + "\n" +
                        wrapped("A figure of the paper holds when it differs from ours by no more than one unit of the "
                                "last digit that is printed. Strokes, volumes and ratios are those of our largest "
-                               "regions. Joint limits are off, as in the paper.") };
+                               "regions. Joint limits are off, as in the paper.") +
+                       wrapped(definition(orthoglide(), criterion)) };
   }
 
   MachinesOptions machines_;

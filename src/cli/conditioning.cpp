@@ -69,7 +69,8 @@ public:
     json["complete"] = found.complete;
     json["boxes"] = found.boxes;
     json["seconds"] = found.seconds;
-    addLimits(machine, criterion_, reaches, json);
+    if (!region_.given())
+      addLimits(machine, criterion_, reaches, json);
     const std::string message = pkm_workspace::describe(found, query_.budget);
     const std::string remark = remarkOnLimits(machine, criterion_, reaches);
     json["message"] = withRemark(message, remark);

@@ -9,27 +9,47 @@
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
 namespace cli
 {
-Json contextOf(const Machine& machine)
+namespace
 {
-  return { { "machine", machine.name() }, { "geometry_hash", machine.geometryHash() }, { "version", version() } };
+Json subjectOf(const Premises& premises)
+{
+  return { { "machine", premises.machine },
+           { "geometry_hash", premises.geometry_hash },
+           { "version", premises.version } };
 }
+}  // namespace
 
-Json contextOf(const Machine& machine, const Criterion& criterion)
+Json toJson(const Criterion& criterion)
 {
-  Json json = contextOf(machine);
-  json["joint_limits"] = criterion.joint_limits && machine.hasJointLimits();
-  json["set"] = name(criterion.set);
-  json["aspect"] = name(criterion.aspect);
+  Json json = { { "set", name(criterion.set) },
+                { "aspect", name(criterion.aspect) },
+                { "joint_limits", criterion.joint_limits } };
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     if (bound.isAskedBy(criterion))
       json[bound.name] = criterion.*bound.value;
   return json;
+}
+
+Json contextOf(const Machine& machine)
+{
+  return subjectOf(premisesOf(machine, Criterion()));
+}
+
+Json contextOf(const Premises& premises)
+{
+  Json json = subjectOf(premises);
+  json.update(toJson(premises.criterion));
+  return json;
+}
+
+Json contextOf(const Machine& machine, const Criterion& criterion)
+{
+  return contextOf(premisesOf(machine, criterion));
 }
 
 Json toJson(const Eigen::Vector3d& v)
@@ -116,7 +136,7 @@ Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond)
 void addLimits(const Machine& machine, const Criterion& criterion, const std::optional<JointReaches>& reaches,
                Json& json)
 {
-  if (!criterion.joint_limits)
+  if (!within(machine, criterion).joint_limits)
     json["beyond_limits"] = toJson(machine, beyondLimits(machine, reaches));
 }
 

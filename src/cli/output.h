@@ -11,6 +11,7 @@
 
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/dexterity/premises.h"
 #include "pkm_workspace/machine/machine.h"
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
@@ -23,8 +24,12 @@ namespace cli
 {
 using Json = nlohmann::json;
 
+/// set, aspect, joint_limits, and each bound that the criterion asks for.
+Json toJson(const Criterion& criterion);
 /// What every answer says of itself: machine, geometry_hash, version; and the criterion in effect, where there is one.
+/// All numbers are in the frame of the machine's root link.
 Json contextOf(const Machine& machine);
+Json contextOf(const Premises& premises);
 Json contextOf(const Machine& machine, const Criterion& criterion);
 Json toJson(const Eigen::Vector3d& v);
 Json toJson(const Box& box);

@@ -92,7 +92,7 @@ Json toJson(const Machine& machine, const Paved& paved)
 {
   const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings[paved.asked];
-  Json json = contextOf(machine, whole.criterion);
+  Json json = contextOf(whole.premises);
   json.update(bracketOf(paved, paved.asked));
   json["own_aspect"] = bracketOf(paved, pavings.size() - 2);
   json["other_aspect"] = bracketOf(paved, pavings.size() - 1);
@@ -107,7 +107,7 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["seconds"] = secondsOf(pavings);
   json["complete"] = isComplete(pavings);
   json["ended_by"] = paved.ended_by.empty() ? Json() : Json(paved.ended_by);
-  addLimits(machine, whole.criterion, paved.reaches, json);
+  addLimits(machine, whole.premises.criterion, paved.reaches, json);
   return json;
 }
 
@@ -116,7 +116,7 @@ std::string proofOf(const Paved& paved)
   const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings[paved.asked];
   const Measure measure(whole.box);
-  std::string text = "Proved: the points of the box that are " + quality(whole.criterion) + " have " +
+  std::string text = "Proved: the points of the box that are " + quality(whole.premises.criterion) + " have " +
                      (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(paved, paved.asked) + ".";
   if (paved.is_section)
     text +=
@@ -131,6 +131,7 @@ std::string print(const Machine& machine, const Paved& paved)
 {
   const std::vector<Paving>& pavings = paved.pavings;
   const Paving& whole = pavings[paved.asked];
+  const Criterion& criterion = whole.premises.criterion;
   const auto count = [&whole](CellState state) { return std::to_string(whole.tree.count(state)) + " boxes"; };
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
@@ -145,9 +146,9 @@ std::string print(const Machine& machine, const Paved& paved)
     { "resolution", exact(whole.resolution) + " m" },
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(pavings)) },
   };
-  return "Paving of the points of machine '" + machine.name() + "' that are " + quality(whole.criterion) + "\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, whole.criterion)) +
-         wrapped(remarkOnLimits(machine, whole.criterion, paved.reaches));
+  return "Paving of the points of machine '" + machine.name() + "' that are " + quality(criterion) + "\n\n" +
+         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, criterion)) +
+         wrapped(remarkOnLimits(machine, criterion, paved.reaches));
 }
 }  // namespace
 

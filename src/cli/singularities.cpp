@@ -16,9 +16,8 @@ namespace
 {
 Criterion reachableAnywhere()
 {
-  Criterion criterion = defaultCriterion();
-  criterion.set = Criterion::Set::REACHABLE;
-  criterion.aspect = Criterion::Aspect::BOTH;
+  Criterion criterion = anyReachable();
+  criterion.joint_limits = defaultCriterion().joint_limits;
   return criterion;
 }
 

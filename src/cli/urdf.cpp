@@ -10,7 +10,6 @@
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
-#include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
@@ -107,9 +106,7 @@ public:
   Answer answer() override
   {
     const std::string urdf = writeUrdf(*made_);
-    Json json = { { "machine", made_->name() },
-                  { "geometry_hash", readUrdf(urdf).machine.geometryHash() },
-                  { "version", version() } };
+    Json json = contextOf(readUrdf(urdf).machine);
     if (output_.empty())
     {
       json["urdf"] = urdf;

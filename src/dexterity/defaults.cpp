@@ -12,6 +12,14 @@ Criterion defaultCriterion()
   return criterion;
 }
 
+Criterion anyReachable()
+{
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.aspect = Criterion::Aspect::BOTH;
+  return criterion;
+}
+
 namespace
 {
 /// To so many significant digits: the nearest double to a short decimal.

@@ -2,12 +2,11 @@
 #include "pkm_workspace/machine/machine.h"
 
 #include <algorithm>
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 #include <cmath>
 #include <locale>
 #include <sstream>
 
+#include "pkm_workspace/common/name_uuid.h"
 #include "pkm_workspace/common/problems.h"
 
 namespace pkm_workspace
@@ -205,7 +204,6 @@ std::string Machine::geometryHash() const
     for (std::size_t j = 0; j < i; ++j)
       if (parallelSense(legs_[i], legs_[j]) != senseOfNumbers(legs_[i].axis, legs_[j].axis))
         text << " not parallel " << i << ' ' << j;
-  const boost::uuids::name_generator_sha1 generate(boost::uuids::ns::oid());
-  return to_string(generate(text.str()));
+  return nameUuid(text.str());
 }
 }  // namespace pkm_workspace

@@ -57,8 +57,7 @@ Paver::Paver(const Machine& machine, const PavingQuery& query, const Paving* ear
   , pace_(query.progress_period)
 {
   told_.volume_boundary = std::numeric_limits<double>::infinity();
-  paving_.geometry_hash = machine.geometryHash();
-  paving_.criterion = query.criterion;
+  paving_.premises = premisesOf(machine, query.criterion);
   paving_.resolution = query.resolution;
   paving_.box = query.box ? *query.box : defaultBox(machine, query.criterion);
 }

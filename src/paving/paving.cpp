@@ -18,9 +18,10 @@ std::string describe(const Box& box)
   return text.str();
 }
 
-void refuse(const char* what, const std::string& earlier, const std::string& wanted, Problems& problems)
+void refuse(const Difference& difference, Problems& problems)
 {
-  problems.push_back(std::string(what) + ": the earlier paving is of " + earlier + ", asked for is " + wanted);
+  problems.push_back(difference.what + ": the earlier paving is of " + difference.one + ", asked for is " +
+                     difference.other);
 }
 }  // namespace
 
@@ -75,15 +76,13 @@ Paving resume(const Machine& machine, const PavingQuery& query, const Paving& ea
 
 void validateEarlier(const Machine& machine, const PavingQuery& query, const Paving& earlier, Problems& problems)
 {
-  if (earlier.geometry_hash != machine.geometryHash())
-    refuse("geometry hash", earlier.geometry_hash, machine.geometryHash(), problems);
-  if (!(earlier.criterion == query.criterion))
-    refuse("criterion", describe(earlier.criterion), describe(query.criterion), problems);
+  for (const Difference& difference : differences(earlier.premises, premisesOf(machine, query.criterion)))
+    refuse(difference, problems);
   if (!problems.empty())
     return;
   // without one asked for, the box depends on the machine and the criterion
   const Box box = query.box ? *query.box : defaultBox(machine, query.criterion);
   if (earlier.box.lower != box.lower || earlier.box.upper != box.upper)
-    refuse("box", describe(earlier.box), describe(box), problems);
+    refuse({ "box", describe(earlier.box), describe(box) }, problems);
 }
 }  // namespace pkm_workspace

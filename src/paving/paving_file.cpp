@@ -7,15 +7,14 @@
 
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
-#include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-// In order: magic, format, size of the file, version of the library, number of pavings; each paving: geometry hash,
-// criterion, resolution, box, its tree with one byte a box; last, the checksum of all before it.
+// In order: magic, format, size of the file, version of the library, number of pavings; each paving: its premises
+// (geometry hash, criterion), resolution, box, its tree with one byte a box; last, the checksum of all before it.
 const std::string MAGIC = "PKM paving\n";
 // Format 2 has five bounds; each more is another format.
 constexpr std::uint32_t FORMAT = 2 + (CRITERION_BOUNDS.size() - 5);
@@ -31,8 +30,7 @@ std::uint32_t checksum(const std::string& bytes, std::size_t size)
 
 void put(const Paving& paving, ByteWriter& writer)
 {
-  writer.text(paving.geometry_hash);
-  put(paving.criterion, writer);
+  put(paving.premises, writer);
   writer.real(paving.resolution);
   for (const Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })
     for (int axis = 0; axis < 3; ++axis)
@@ -62,14 +60,13 @@ std::size_t takeLevel(std::size_t size, BoxTree& tree, ByteReader& reader)
 Paving takePaving(ByteReader& reader)
 {
   Paving paving;
-  paving.geometry_hash = reader.text();
-  paving.criterion = takeCriterion(reader);
+  paving.premises = takePremises(reader);
   paving.resolution = reader.real();
   for (Eigen::Vector3d* corner : { &paving.box.lower, &paving.box.upper })
     for (int axis = 0; axis < 3; ++axis)
       (*corner)[axis] = reader.real();
   Problems problems;
-  paving.criterion.validate(problems);
+  paving.premises.criterion.validate(problems);
   validatePositive("resolution", paving.resolution, "m", problems);
   const bool has_boxes = paving.box.isValid();
   if (has_boxes)
@@ -158,6 +155,9 @@ std::vector<Paving> loadPavings(const std::string& path, const Machine& machine,
   try
   {
     std::vector<Paving> pavings = takeAll(bytes);
+    for (Paving& paving : pavings)
+      if (paving.premises.geometry_hash == machine.geometryHash())
+        paving.premises = premisesOf(machine, paving.premises.criterion);  // files may tell of limits that it lacks
     checkSubject(pavings, machine, queries);
     return pavings;
   }

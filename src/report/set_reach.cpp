@@ -132,9 +132,9 @@ JointReaches withoutEnd()
 
 bool isSectionOfAll(const Machine& machine, const Paving& paving)
 {
-  if (!slidesAlongRails(machine, paving.criterion))
+  if (!slidesAlongRails(machine, paving.premises.criterion))
     return false;
-  const Box section = defaultBox(machine, paving.criterion);
+  const Box section = defaultBox(machine, paving.premises.criterion);
   return paving.box.lower == section.lower && paving.box.upper == section.upper;
 }
 

@@ -208,7 +208,7 @@ void BoxMarker::set(const Box& box)
     handles_.setPose(nameOf(face), poseAt(handlePlace(face)));
   handles_.applyChanges();
   auto shown = boxMarkers(box, result, context_.machine(), context_.frames.root().frame);
-  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0), "");
+  shown.markers.front().text = describe(context_.frames.root().premises(criterion));
   markers_.publish(shown);
 }
 

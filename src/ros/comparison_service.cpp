@@ -34,7 +34,6 @@ std::vector<FramedMachine> readMachines(const std::vector<std::string>& urdfs)
       in.frame = urdf.root_link;
       in.machine = std::make_shared<const Machine>(urdf.machine);
       in.geometry_hash = urdf.machine.geometryHash();
-      in.root.orientation.w = 1.0;
       machines.push_back(in);
     }
     catch (const std::invalid_argument& reason)

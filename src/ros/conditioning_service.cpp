@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/paving/workspace_conditioning.h"
 #include "pkm_workspace/region/region_parts.h"
 #include "pkm_workspace/report/conditioning_sentence.h"
@@ -70,7 +71,7 @@ void ConditioningService::compute(const Request& request, ComputeConditioning::R
         return workspaceConditioning(*in.machine, criterion, query);
       });
   response.header = headerOf(in, ros::Time::now());
-  response.hypotheses = hypothesesOf(in, criterion, query.accuracy);
+  response.hypotheses = toMessage(in.premises(of_region ? anyReachable() : criterion), query.accuracy);
   response.index = toMessage(found.index);
   response.measure = toMessage(found.measure);
   response.complete = found.complete;

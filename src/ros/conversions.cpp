@@ -35,6 +35,21 @@ Eigen::Vector3d fromMessage(const geometry_msgs::Point& point)
   return { point.x, point.y, point.z };
 }
 
+geometry_msgs::Pose toMessage(const Pose& pose)
+{
+  const auto& [x, y, z, w] = pose.orientation;
+  geometry_msgs::Pose message;
+  message.position = toMessage(pose.translation);
+  message.orientation = toMessage(Eigen::Quaterniond(w, x, y, z));
+  return message;
+}
+
+Pose fromMessage(const geometry_msgs::Pose& pose)
+{
+  const geometry_msgs::Quaternion& turn = pose.orientation;
+  return { { turn.x, turn.y, turn.z, turn.w }, fromMessage(pose.position) };
+}
+
 namespace
 {
 const Eigen::IOFormat POINT_TEXT(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
@@ -160,7 +175,7 @@ Region toMessage(const Answer& answer, const ros::Time& stamp)
   const Machine& machine = *answer.question.in.machine;
   Region message;
   message.header = headerOf(answer.question.in, stamp);
-  message.hypotheses = hypothesesOf(answer.question.in, query.criterion, query.accuracy);
+  message.hypotheses = toMessage(answer.question.in.premises(query.criterion), query.accuracy);
   message.status = constantOf(region.status);
   describeRegion(region, *region.shape, message);
   if (query.search_box)

@@ -7,8 +7,8 @@
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
-#include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
@@ -153,13 +153,14 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
   return fallback;
 }
 
-Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy)
+Hypotheses toMessage(const Premises& premises, double accuracy)
 {
+  const Criterion& criterion = premises.criterion;
   Hypotheses message;
-  message.machine = in.machine->name();
-  message.geometry_hash = in.geometry_hash;
-  message.root = in.root;
-  message.version = version();
+  message.machine = premises.machine;
+  message.geometry_hash = premises.geometry_hash;
+  message.root = toMessage(premises.root);
+  message.version = premises.version;
   message.set = toNumber(criterion.set);
   message.aspect = toNumber(criterion.aspect);
   for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
@@ -169,7 +170,7 @@ Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, dou
   return message;
 }
 
-Criterion criterionOf(const Hypotheses& hypotheses)
+Premises fromMessage(const Hypotheses& hypotheses)
 {
   Criterion criterion;
   criterion.set = fromNumber(hypotheses.set, SET_NAMES, Criterion::Set::REACHABLE);
@@ -177,16 +178,14 @@ Criterion criterionOf(const Hypotheses& hypotheses)
   for (const MessageFields& fields : FIELDS)
     criterion.*fields.value = hypotheses.*fields.hypotheses;
   criterion.joint_limits = hypotheses.joint_limits;
-  return canonical(criterion);
+  return { hypotheses.machine, hypotheses.geometry_hash, canonical(criterion), fromMessage(hypotheses.root),
+           hypotheses.version };
 }
 
 std::string captionOf(const Hypotheses& hypotheses, const std::string& precision)
 {
-  constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
   TextStream text;
-  text << hypotheses.machine << ", geometry " << hypotheses.geometry_hash.substr(0, ENOUGH) << ", pkm_workspace "
-       << hypotheses.version << '\n'
-       << describe(criterionOf(hypotheses));
+  text << describe(fromMessage(hypotheses));
   if (!precision.empty())
     text << ", " << precision << ' ' << hypotheses.accuracy << " m";
   return text.str();

@@ -29,7 +29,7 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
              [&] { return centerSpace(context_.machine(), query); });  // refuses what has no bounded answer
   context_.setCriterion(query.criterion, query.accuracy);
   changed_();
-  response.hypotheses = hypothesesOf(context_.frames.root(), query.criterion, query.accuracy);
+  response.hypotheses = toMessage(context_.frames.root().premises(query.criterion), query.accuracy);
   response.message = "computing: " + describe(query);
 }
 }  // namespace pkm_workspace

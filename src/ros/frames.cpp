@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
-#include "pkm_workspace/machine/frame.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/worker.h"
+#include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
@@ -56,18 +57,20 @@ std::string bare(const std::string& name)
 
 Eigen::Isometry3d FramedMachine::toRoot() const
 {
-  const Eigen::Quaterniond turn(root.orientation.w, root.orientation.x, root.orientation.y, root.orientation.z);
-  const Eigen::Vector3d shift(root.position.x, root.position.y, root.position.z);
-  return (Eigen::Translation3d(shift) * turn.normalized()).inverse();
+  const Eigen::Quaterniond turn(root.orientation.data());  // x, y, z, w
+  return (Eigen::Translation3d(root.translation) * turn.normalized()).inverse();
+}
+
+Premises FramedMachine::premises(const Criterion& criterion) const
+{
+  return { machine->name(), geometry_hash, within(*machine, criterion), root, version() };
 }
 
 Frames::Frames(const Machine& machine, const std::string& root, const std::vector<std::string>& moved)
-  : root_{ root, std::make_shared<const Machine>(machine), machine.geometryHash(), geometry_msgs::Pose() }
+  : root_{ root, std::make_shared<const Machine>(machine), machine.geometryHash(), Pose() }
   , moved_(moved.begin(), moved.end())
   , listener_(buffer_)
-{
-  root_.root.orientation.w = 1.0;
-}
+{}
 
 std::string Frames::moverOf(const std::string& frame) const
 {
@@ -96,7 +99,7 @@ std::string Frames::known() const
   return names;
 }
 
-geometry_msgs::Pose Frames::rootIn(const std::string& frame, bool patiently) const
+Pose Frames::rootIn(const std::string& frame, bool patiently) const
 {
   std::optional<geometry_msgs::Transform> found = lookUp(frame, root_.frame, buffer_);
   if (!found && patiently)
@@ -107,13 +110,8 @@ geometry_msgs::Pose Frames::rootIn(const std::string& frame, bool patiently) con
         "header.frame_id = '" + frame + "' " +
             (buffer_._frameExists(frame) ? "is not connected to '" + root_.frame + "' in tf" : "is not known to tf") +
             "; empty stands for '" + root_.frame + "', and these frames are known: " + known());
-  const geometry_msgs::Transform& transform = *found;
-  geometry_msgs::Pose pose;
-  pose.position.x = transform.translation.x;
-  pose.position.y = transform.translation.y;
-  pose.position.z = transform.translation.z;
-  pose.orientation = transform.rotation;
-  return pose;
+  const auto& [translation, rotation] = std::tie(found->translation, found->rotation);
+  return { { rotation.x, rotation.y, rotation.z, rotation.w }, { translation.x, translation.y, translation.z } };
 }
 
 Eigen::Vector3d Frames::pointInRoot(const std::string& name, const Eigen::Vector3d& point) const
@@ -141,11 +139,7 @@ FramedMachine Frames::machineIn(const std::string& name) const
   requireStill(frame);
   FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, true) };
   requireStill(frame);  // tf may not have known before where it hangs
-  const geometry_msgs::Point& position = framed.root.position;
-  const geometry_msgs::Quaternion& orientation = framed.root.orientation;
-  const Pose pose{ { orientation.x, orientation.y, orientation.z, orientation.w },
-                   { position.x, position.y, position.z } };
-  framed.machine = std::make_shared<const Machine>(machineInFrame(*root_.machine, pose));
+  framed.machine = std::make_shared<const Machine>(machineInFrame(*root_.machine, framed.root));
   return framed;
 }
 }  // namespace pkm_workspace

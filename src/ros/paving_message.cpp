@@ -73,7 +73,7 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
   const BoxTree& tree = paving.tree;
   Workspace message;
   message.header = headerOf(question.in, stamp);
-  message.hypotheses = hypothesesOf(question.in, paving.criterion, paving.resolution);
+  message.hypotheses = toMessage(question.in.premises(paving.premises.criterion), paving.resolution);
   message.min_corner = toMessage(paving.box.lower);
   message.max_corner = toMessage(paving.box.upper);
   message.dimension = dimensionOf(paving.box);
@@ -90,8 +90,8 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
   message.seconds = paving.seconds;
   message.message = paving.complete ? "Every box down to the resolution was looked at."
                                     : "A limit or a cancel ended it early: more time or memory give closer bounds.";
-  if (!paving.criterion.joint_limits)
-    message.message = withRemark(message.message, remarkOnLimits(*question.in.machine, paving.criterion,
+  if (!paving.premises.criterion.joint_limits)
+    message.message = withRemark(message.message, remarkOnLimits(*question.in.machine, paving.premises.criterion,
                                                                  reachOver(*question.in.machine, paving)));
   if (question.max_listed > 0)
   {

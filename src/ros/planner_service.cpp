@@ -57,21 +57,20 @@ PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, c
   Problems problems;
   const Criterion criterion = fromMessage(request, context_.query().criterion, problems);
   throwProblems(problems);
-  const EvaluatorPtr evaluator = evaluatorFor(in.machine, criterion);
+  const Premises premises = in.premises(criterion);
+  const EvaluatorPtr evaluator = evaluatorFor(*in.machine, premises);
   response.header = headerOf(in, ros::Time::now());
-  response.hypotheses = hypothesesOf(in, criterion, 0.0);
+  response.hypotheses = toMessage(premises, 0.0);
   return evaluator;
 }
 
-PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const std::shared_ptr<const Machine>& machine,
-                                                          const Criterion& criterion)
+PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const Machine& machine, const Premises& premises)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!evaluator_ || machine_ != machine || !(criterion_ == criterion))
+  if (!evaluator_ || !(premises_ == premises))
   {
-    evaluator_ = std::make_shared<const PointEvaluator>(*machine, criterion);
-    machine_ = machine;
-    criterion_ = criterion;
+    evaluator_ = std::make_shared<const PointEvaluator>(machine, premises.criterion);
+    premises_ = premises;
   }
   return evaluator_;
 }

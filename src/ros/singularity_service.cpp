@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/path.h"
@@ -159,8 +160,7 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
   Question question = read(request);
   const StopFlag stop = context_.worker.makeStopFlag();
   question.query.budget.stop = stop.get();
-  Criterion criterion;
-  criterion.set = Criterion::Set::REACHABLE;
+  Criterion criterion = anyReachable();
   criterion.aspect = question.query.aspect;
   criterion.joint_limits = question.query.joint_limits;
   const std::string asked = std::string("singularities of ") +
@@ -173,7 +173,7 @@ void SingularityService::find(const Request& request, FindSingularities::Respons
     return findSingularities(*question.in.machine, question.query);
   });
   response.header = headerOf(question.in, ros::Time::now());
-  response.hypotheses = hypothesesOf(question.in, criterion, question.query.accuracy);
+  response.hypotheses = toMessage(question.in.premises(criterion), question.query.accuracy);
   for (const SingularityAnswer& answer : found.serial)
     response.serial.push_back(findingOf(answer));
   response.parallel = findingOf(found.parallel);

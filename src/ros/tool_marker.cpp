@@ -122,7 +122,7 @@ void ToolMarker::show()
   const std::lock_guard<std::mutex> lock(mutex_);  // the last one to publish has the newest state
   const Criterion criterion = context_.query().criterion;
   auto shown = toolMarkers(context_.machine(), criterion, tool_.state(), context_.frames.root().frame);
-  shown.markers.front().text = captionOf(hypothesesOf(context_.frames.root(), criterion, 0.0), "");
+  shown.markers.front().text = describe(context_.frames.root().premises(criterion));
   markers_.publish(shown);
 }
 }  // namespace pkm_workspace

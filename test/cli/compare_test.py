@@ -189,7 +189,8 @@ class ComparePaper(CommandTest):
     @classmethod
     def setUpClass(cls):
         cls.process = run("compare", "--paper", "--accuracy", 1e-4, "--json", "--progress")
-        cls.rows = json.loads(cls.process.stdout)["rows"]
+        cls.said = json.loads(cls.process.stdout)
+        cls.rows = cls.said["rows"]
 
     def holds(self, place, start):
         found = [row["holds"] for row in self.rows if row["place"] == place and row["what"].startswith(start)]
@@ -199,6 +200,11 @@ class ComparePaper(CommandTest):
     def test_progress_tells_what_is_computed(self):
         self.assertEqual(self.process.returncode, 0)
         self.assertRegex(self.process.stderr, r"(?m)^\d+ s: .*(orthoglide|uranesx)")
+
+    def test_the_criterion_is_told(self):
+        told = {key: value for key, value in self.said.items() if key != "rows"}
+        self.assertEqual(told, {"set": "dextrous", "aspect": "own", "joint_limits": False,
+                                "psi_min": 0.5, "psi_max": 2})
 
     def test_brackets_are_the_numbers_of_the_texts(self):
         for row in self.rows:

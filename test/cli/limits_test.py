@@ -14,7 +14,7 @@ TOUCH = 1e-12
 
 
 class Limits(CommandTest):
-    def test_every_command_keeps_to_them(self):
+    def test_every_command_keeps_to_them_and_says_so_beside_the_aspect(self):
         origin = ("--urdf", ORTHOGLIDE)
         for words in (("evaluate", *origin, "--point", 0, 0, 0), ("largest", *origin), ("compare", *origin),
                       ("check", *origin, "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1),
@@ -24,7 +24,11 @@ class Limits(CommandTest):
                       ("study", *origin, *origin, "--range", 0, 0.1, "--accuracy", 0.1)):
             with self.subTest(words):
                 answer = self.answer(*words)
-                self.assertIs(answer.get("machines", [answer])[0]["joint_limits"], True)
+                said = answer.get("machines", [answer])[0]
+                self.assertIs(said["joint_limits"], True)
+                aspect, in_words = ("both", "either") if words[0] == "singularities" else ("own", "its own")
+                self.assertEqual(said["aspect"], aspect)
+                self.assertRegex(self.text(*words), rf"in\s+{in_words}\s+aspect")
                 off = self.answer(*words, "--joint-limits", "off")
                 self.assertIs(off.get("machines", [off])[0]["joint_limits"], False)
 

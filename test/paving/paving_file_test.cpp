@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/paving/paving_file.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/version.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -85,7 +86,50 @@ std::string signedAgain(std::string bytes)
     bytes[bytes.size() - 4 + k] = static_cast<char>(crc.checksum() >> (8 * k) & 0xff);
   return bytes;
 }
+
+/// A file of format 2, part by part: one paving of [-1, 1]^3 by one box, that is at the border.
+std::string fileOfFormat2(bool joint_limits)
+{
+  ByteWriter writer;
+  writer.raw("PKM paving\n", 11);
+  writer.number(std::uint32_t(2));
+  writer.number(std::uint64_t(0));  // the size
+  writer.text(version());
+  writer.number(std::uint32_t(1));
+  writer.text("85bd3fa7-2df2-5308-98eb-f3d7b6103531");
+  writer.raw("\0\0", 2);  // dextrous, own aspect
+  for (const double bound : { 0.5, 2.0, 0.0, 0.0, 0.0 })
+    writer.real(bound);
+  writer.number(static_cast<std::uint8_t>(joint_limits));
+  for (const double number : { 5.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0 })
+    writer.real(number);  // resolution, box
+  writer.number(static_cast<std::uint8_t>(CellState::BOUNDARY));
+  writer.number(std::uint32_t(0));  // the checksum
+  return signedAgain(writer.bytes());
+}
 }  // namespace
+
+TEST_F(PavingFile, isOfTheFormatThatItAlwaysHad)
+{
+  savePavings(file_, { pave(orthoglide(), query(5.0)) });
+  EXPECT_EQ(read(), fileOfFormat2(false));
+}
+
+// Joint limits of a machine that has none were told apart once.
+TEST_F(PavingFile, ofEarlierDaysIsReadAndGoneOnFrom)
+{
+  const Paving whole = pave(orthoglide(), query(5.0));
+  for (const bool were_asked_for : { false, true })
+    for (const bool are_asked_for : { false, true })
+    {
+      write(fileOfFormat2(were_asked_for));
+      PavingQuery wanted = query(0.2);
+      wanted.criterion.joint_limits = are_asked_for;
+      const std::vector<Paving> loaded = loadPavings(file_, orthoglide(), { wanted });
+      test::expectSame(whole, loaded[0]);
+      test::expectSame(pave(orthoglide(), query(0.2)), resume(orthoglide(), wanted, loaded[0]));
+    }
+}
 
 TEST_F(PavingFile, givesBackWhatWasSaved)
 {

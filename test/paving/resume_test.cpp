@@ -108,7 +108,10 @@ TEST(PavingResume, refusesWhatIsAboutSomethingElse)
   refuses(orthoglide(2.0), query(0.2),
           "geometry hash: .* " + orthoglide().geometryHash() + ", .* " + orthoglide(2.0).geometryHash());
   refuses(orthoglide(), query(0.2, Criterion::Set::REACHABLE), "criterion: .*dextrous with psi.*, .*reachable");
-  refuses(orthoglide(), query(0.2, Criterion::Set::DEXTROUS, Criterion::Aspect::OTHER), "own aspect.*other aspect");
+  refuses(
+      orthoglide(), query(0.2, Criterion::Set::DEXTROUS, Criterion::Aspect::OTHER),
+      "criterion: the earlier paving is of dextrous with psi in \\[0.5, 2\\], own aspect, joint limits off, asked for "
+      "is dextrous with psi in \\[0.5, 2\\], other aspect, joint limits off$");
   PavingQuery wanted = query(0.2);
   wanted.criterion.psi_min = std::nextafter(0.5, 1.0);
   refuses(orthoglide(), wanted, "psi in \\[0.5, 2\\].*psi in \\[0.5000000000000001, 2\\]");

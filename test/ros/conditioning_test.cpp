@@ -33,6 +33,10 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
   EXPECT_LE(cube.measure.lower, 0.125);
   EXPECT_GE(cube.measure.upper, 0.125);
   EXPECT_EQ("base_link", cube.header.frame_id);
+  EXPECT_EQ(Hypotheses::REACHABLE, cube.hypotheses.set) << "all points of a region count";
+  EXPECT_EQ(Hypotheses::BOTH, cube.hypotheses.aspect);
+  EXPECT_EQ(0.0, cube.hypotheses.psi_min);
+  EXPECT_FALSE(cube.hypotheses.joint_limits);
 
   Request request;
   request.accuracy = 0.1;
@@ -40,6 +44,7 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
   ASSERT_EQ(ErrorCode::SUCCESS, set.error_code) << set.message;
   EXPECT_GT(set.index.lower, 0.4);
   EXPECT_LT(set.index.upper, 0.55);
+  EXPECT_EQ(Hypotheses::DEXTROUS, set.hypotheses.set);
 }
 
 TEST(ComputeConditioning, saysWhatItMeansForLimitsThatAreLeftAside)

@@ -32,9 +32,12 @@ CriterionRequest psi(double least, double largest)
 }
 }  // namespace
 
-TEST(CriterionMessage, givesBackEachBoundOfTheHypotheses)
+TEST(Hypotheses, giveBackAllPremises)
 {
-  const FramedMachine in{ "base_link", std::make_shared<Machine>(orthoglide()), "", {} };
+  Machine::Legs legs = orthoglide().legs();
+  legs[0].limits = Interval(-1.0, 1.0);
+  const auto machine = std::make_shared<const Machine>("limited", legs, orthoglide().zero());
+  const FramedMachine in{ "table", machine, machine->geometryHash(), { { 0.0, 0.0, 0.6, 0.8 }, { 1.0, 2.0, 3.0 } } };
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     for (const double value : { 1.25, 1.5 })
     {
@@ -43,7 +46,11 @@ TEST(CriterionMessage, givesBackEachBoundOfTheHypotheses)
       criterion.aspect = Criterion::Aspect::OTHER;
       criterion.joint_limits = true;
       criterion.*bound.value = value;
-      EXPECT_TRUE(criterionOf(hypothesesOf(in, criterion, 0.0)) == criterion) << bound.name;
+      const Premises premises = in.premises(criterion);
+      EXPECT_TRUE(premises.criterion == criterion) << bound.name;
+      const Premises back = fromMessage(toMessage(premises, 0.0));
+      EXPECT_EQ(back.bytes(), premises.bytes()) << bound.name;
+      EXPECT_EQ(describe(back), describe(premises)) << bound.name;
     }
 }
 

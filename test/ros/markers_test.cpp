@@ -195,9 +195,7 @@ TEST(Markers, drawAPavingByItselfByVerdict)
 
 TEST(Markers, stayWhereTheMachineStoodWhenTheFrameMoves)
 {
-  geometry_msgs::Pose root;  // of the root link in the frame: a quarter about z
-  root.position.x = 1.0;
-  root.orientation.z = root.orientation.w = std::sqrt(0.5);
+  const Pose root{ { 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5) }, { 1.0, 0.0, 0.0 } };  // a quarter about z
   const FramedMachine in{ "table", nullptr, "", root };
   Markers there(1);
   there[0].header.frame_id = "table";

@@ -13,6 +13,9 @@ namespace pkm_workspace
 /// A Criterion's own values, but within the joint limits. Of a machine that has none, that asks for nothing more.
 Criterion defaultCriterion();
 
+/// Where all points of a region count: nothing but that the struts reach them, in whatever aspect.
+Criterion anyReachable();
+
 /// Of a size: a thousandth of the longest strut, to one digit [m].
 double defaultAccuracy(const Machine& machine);
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pkm_workspace/common/pace.h"
+#include "pkm_workspace/dexterity/premises.h"
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/paving/box_tree.h"
 
@@ -38,8 +39,7 @@ struct PavingQuery
 /// The box approximation of the criterion's set (paper, section 2.6). Of a flat box, volumes are areas [m^2].
 struct Paving
 {
-  std::string geometry_hash;    ///< of the machine
-  Criterion criterion;          ///< that it is about
+  Premises premises;            ///< what it is about, in the frame of the root link
   double resolution = 0.0;      ///< boxes no wider than this are not bisected [m]
   Box box;                      ///< what was paved [m]
   BoxTree tree;                 ///< its boxes: S is those that are INSIDE
@@ -65,7 +65,7 @@ Box defaultBox(const Machine& machine, const Criterion& criterion);
 /// @throws std::invalid_argument for a query that is not valid, with all reasons
 Paving pave(const Machine& machine, const PavingQuery& query);
 
-/// Goes on from an earlier paving of the same machine, criterion and box, finished or not, at any resolution: looks
+/// Goes on from an earlier paving of the same premises and box, finished or not, at any resolution: looks
 /// only at boxes that it left open and at their parts. Without a budget in the way the tree and all that follows from
 /// it is, bit for bit, what pave() gives.
 /// @throws std::invalid_argument for a query that is not valid or about something else, with all reasons

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geometry_msgs/Point.h>
+#include <geometry_msgs/Pose.h>
 #include <pkm_workspace/JointRanges.h>
 #include <pkm_workspace/Region.h>
 #include <pkm_workspace/RegionRequest.h>
@@ -19,7 +20,9 @@ namespace pkm_workspace
 
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn);
+geometry_msgs::Pose toMessage(const Pose& pose);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);
+Pose fromMessage(const geometry_msgs::Pose& pose);
 
 /// What the fields of a RegionRequest can do about what has no bounded answer.
 const Remedy REGION_REMEDY{ "joint_limits = ON", "a search box by use_search_box" };

@@ -38,9 +38,9 @@ double timeLimitOf(double requested, double node, double longest, Problems& prob
 Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Problems& problems);
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
-Hypotheses hypothesesOf(const FramedMachine& in, const Criterion& criterion, double accuracy);
-/// The criterion of these hypotheses, canonical.
-Criterion criterionOf(const Hypotheses& hypotheses);
+Hypotheses toMessage(const Premises& premises, double accuracy);
+/// What the hypotheses say, their criterion canonical.
+Premises fromMessage(const Hypotheses& hypotheses);
 /// What a picture holds for, in two short lines: machine and geometry, version, criterion, accuracy.
 /// @param precision what the accuracy [m] is called; empty: it is not told
 std::string captionOf(const Hypotheses& hypotheses, const std::string& precision);

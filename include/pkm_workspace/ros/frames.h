@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <geometry_msgs/Pose.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
@@ -11,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/dexterity/premises.h"
 
 namespace pkm_workspace
 {
@@ -21,8 +20,10 @@ struct FramedMachine
   std::string frame;                       ///< its name in tf
   std::shared_ptr<const Machine> machine;  ///< all numbers in that frame
   std::string geometry_hash;               ///< of the machine in the frame of its root link
-  geometry_msgs::Pose root;                ///< of its root link in that frame
+  Pose root;                               ///< of its root link in that frame, as tf tells it
 
+  /// What answers in that frame are proved of.
+  Premises premises(const Criterion& criterion) const;
   /// From that frame to the root link's, in floating point.
   Eigen::Isometry3d toRoot() const;
 };
@@ -52,7 +53,7 @@ public:
   Eigen::Vector3d pointInRoot(const std::string& name, const Eigen::Vector3d& point) const;
 
 private:
-  geometry_msgs::Pose rootIn(const std::string& frame, bool patiently) const;
+  Pose rootIn(const std::string& frame, bool patiently) const;
   /// The frame that the machine moves and this one hangs at, or is; empty where there is none.
   std::string moverOf(const std::string& frame) const;
   /// @throws Refusal for a frame that the machine moves

@@ -35,14 +35,13 @@ private:
   template <class Response>
   EvaluatorPtr prepare(const std::string& frame, const CriterionRequest& criterion, Response& response);
   /// Keeps the last one for the next request, which mostly is about the same.
-  EvaluatorPtr evaluatorFor(const std::shared_ptr<const Machine>& machine, const Criterion& criterion);
+  EvaluatorPtr evaluatorFor(const Machine& machine, const Premises& premises);
 
   NodeContext& context_;
   Crew crew_{ 8 };
-  ros::NodeHandle checking_;                ///< for services of the crew
-  std::mutex mutex_;                        ///< of the next three
-  std::shared_ptr<const Machine> machine_;  ///< of the evaluator, as the criterion
-  Criterion criterion_;
+  ros::NodeHandle checking_;  ///< for services of the crew
+  std::mutex mutex_;          ///< of the next two
+  Premises premises_;         ///< of the evaluator
   EvaluatorPtr evaluator_;
   ros::ServiceServer check_region_;
   ros::ServiceServer check_path_;
