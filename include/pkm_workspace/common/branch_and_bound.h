@@ -19,7 +19,6 @@ enum class Closing
   COMBINATION,  ///< a combination of such forms, with weights >= 0, is negative all over it
   BAD_POINT,    ///< all that it holds contains a point that is proved to be bad
   BOUND,        ///< it holds nothing better than what is known
-  DEFINITE,     ///< all of it is proved to be good
   UNSETTLED     ///< it is too small to be divided: nothing is proved of it
 };
 
