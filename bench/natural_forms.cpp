@@ -27,9 +27,9 @@ NaturalForms::NaturalForms(const Machine& machine) : aspect_(machine.aspect())
     const pkm_workspace::Leg& leg = machine.legs()[i];
     const IntervalVector& c = machine.center(static_cast<int>(i));
     legs_[i].center = { real(c[0]), real(c[1]), real(c[2]) };
-    legs_[i].squared_length = square(real(leg.length));
-    legs_[i].mode = leg.working_mode;
-    while (leg.axis[legs_[i].along] != Interval(1.0))
+    legs_[i].squared_length = square(real(slidingStrut(leg).length));
+    legs_[i].mode = slidingStrut(leg).working_mode;
+    while (slidingStrut(leg).axis[legs_[i].along] != Interval(1.0))
       if (++legs_[i].along == 3)
         throw std::invalid_argument("the peers want rails along axes of the root frame");
   }

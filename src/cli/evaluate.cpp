@@ -41,7 +41,7 @@ Json numbersOf(const Machine& machine, const Eigen::Vector3d& point)
   if (!jacobian)
     return json;
   const Eigen::Vector3d psi = transmissionFactors(*jacobian);
-  const SingularityMeasures measures = singularityMeasures(machine, *jacobian);
+  const SingularityMeasures measures = singularityMeasures(*jacobian);
   json["psi"] = toJson(psi);
   json["condition"] = psi[2] / psi[0];
   json["det_a"] = jacobian->a.determinant();

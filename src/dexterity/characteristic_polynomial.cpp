@@ -14,27 +14,34 @@ using mean_value::Chart;
 using mean_value::Form;
 using mean_value::FormVector;
 
+/// The polynomial knows sliding struts. @throws std::invalid_argument for others
+const EnclosedStrut& strutOf(const Machine& machine, int leg)
+{
+  slidingStrut(machine.leg(leg));
+  return std::get<EnclosedStrut>(machine.enclosed(leg));
+}
+
 /// One leg over the box.
 struct LegForms
 {
   FormVector across;  ///< q = (I - e e^T)(p - c) [m]
   Form radicand;      ///< eta^2 = L^2 - |q|^2 [m^2]
 
-  LegForms(const Machine& machine, int leg, const Chart& chart)
+  LegForms(const EnclosedStrut& strut, const Chart& chart)
   {
-    const IntervalMatrix& projector = machine.projector(leg);
-    const IntervalVector center = projector * (chart.center - machine.center(leg));
-    const IntervalVector range = projector * (chart.range - machine.center(leg));
+    const IntervalMatrix& projector = strut.projector;
+    const IntervalVector center = projector * (chart.center - strut.center);
+    const IntervalVector range = projector * (chart.range - strut.center);
     for (std::size_t k = 0; k < 3; ++k)
       across[k] = { center[k], range[k], projector[k] };
     const Form squared_norm = sqr(across[0]) + sqr(across[1]) + sqr(across[2]);
-    radicand = chart.tightened(sqr(machine.leg(leg).length) - squared_norm);
+    radicand = chart.tightened(sqr(strut.length) - squared_norm);
   }
 
   /// d = q + eta e [m]. @pre the radicand is positive on the box
-  FormVector strut(const Leg& leg, const Chart& chart) const
+  FormVector strut(const EnclosedStrut& leg, const Chart& chart) const
   {
-    const Form eta = Interval(leg.working_mode) * chart.tightened(sqrt(radicand));
+    const Form eta = leg.sign * chart.tightened(sqrt(radicand));
     return { across[0] + leg.axis[0] * eta, across[1] + leg.axis[1] * eta, across[2] + leg.axis[2] * eta };
   }
 };
@@ -82,7 +89,7 @@ struct Point
     Symmetric<Interval> s;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      s.diagonal[i] = sign * (sqr(machine.legs()[i].length) - sigma * sqr(eta[i]));
+      s.diagonal[i] = sign * (sqr(strutOf(machine, static_cast<int>(i)).length) - sigma * sqr(eta[i]));
       s.off[i] = sign * dot(strut[(i + 1) % 3], strut[(i + 2) % 3]);
     }
     return s;
@@ -95,13 +102,13 @@ std::optional<Point> pointAt(const Machine& machine, const IntervalVector& p)
   Point point;
   for (int i = 0; i < 3; ++i)
   {
-    const Leg& leg = machine.leg(i);
-    const IntervalVector across = machine.projector(i) * (p - machine.center(i));
+    const EnclosedStrut& leg = strutOf(machine, i);
+    const IntervalVector across = leg.projector * (p - leg.center);
     const Interval radicand = sqr(leg.length) - squaredNorm(across);
     if (radicand.lower() < 0.0)
       return std::nullopt;
     const auto k = static_cast<std::size_t>(i);
-    point.eta[k] = Interval(leg.working_mode) * sqrt(radicand);
+    point.eta[k] = leg.sign * sqrt(radicand);
     point.strut[k] = across + point.eta[k] * leg.axis;
   }
   return point;
@@ -114,7 +121,9 @@ struct Legs
   std::array<LegForms, 3> forms;
 
   Legs(const Machine& machine, const Box& box)
-    : chart(box), forms{ LegForms(machine, 0, chart), LegForms(machine, 1, chart), LegForms(machine, 2, chart) }
+    : chart(box)
+    , forms{ LegForms(strutOf(machine, 0), chart), LegForms(strutOf(machine, 1), chart),
+             LegForms(strutOf(machine, 2), chart) }
   {}
   /// Whether B is proved regular on the whole box (the paper's cylinders, section 4.2).
   bool areWithinCylinders() const
@@ -134,9 +143,10 @@ public:
     std::array<FormVector, 3> strut;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      squared_length_[i] = sqr(machine.legs()[i].length);
+      const EnclosedStrut& leg = strutOf(machine, static_cast<int>(i));
+      squared_length_[i] = sqr(leg.length);
       radicand_[i] = legs.forms[i].radicand;
-      strut[i] = legs.forms[i].strut(machine.legs()[i], chart_);
+      strut[i] = legs.forms[i].strut(leg, chart_);
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -226,7 +236,8 @@ BoxVerdict CharacteristicTest::classify(const Box& box) const
 {
   const Legs legs(machine_, box);
   for (std::size_t i = 0; i < 3; ++i)
-    if ((sigma_max_ * legs.forms[i].radicand.range - sqr(machine_.legs()[i].length)).certainlyNegative())
+    if ((sigma_max_ * legs.forms[i].radicand.range - sqr(strutOf(machine_, static_cast<int>(i)).length))
+            .certainlyNegative())
       return BoxVerdict::OUTSIDE;  // leg i does not reach, or an entry of S(sigma_max)'s diagonal is positive
   const auto center = pointAt(machine_, enclose(box.center()));
   if (!center || !legs.areWithinCylinders())

@@ -8,7 +8,7 @@
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/machine/sliding_strut.h"
+#include "pkm_workspace/machine/leg_forms.h"
 
 namespace pkm_workspace
 {
@@ -118,11 +118,8 @@ void PointEvaluator::addReach(const Eigen::Vector3d& point, PointEvaluation& res
 {
   for (int i = 0; i < 3; ++i)
   {
-    const Interval& length = machine_.leg(i).length;
-    LegState<Interval, IntervalVector> state;
-    evaluateAcross(enclosedStrut(machine_, i), enclose(point), state);
-    const Interval across = norm(state.row);
-    result.limits.push_back({ Kind::REACH, i, across, length.mid(), length - across });
+    const LegReach reach = reachAt(machine_.enclosed(i), enclose(point));
+    result.limits.push_back({ Kind::REACH, i, reach.value, reach.most.mid(), reach.most - reach.value });
   }
 }
 
@@ -143,7 +140,9 @@ void PointEvaluator::addValues(const Configuration& there, const PieceMotion& mo
   if (criterion.aspect != Criterion::Aspect::BOTH)
   {
     const double sign = criterion.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
-    const Interval volume = machine_.leg(0).length * machine_.leg(1).length * machine_.leg(2).length;
+    Interval volume = 1.0;
+    for (int i = 0; i < 3; ++i)
+      volume *= sqrtAboveZero(squaredRow(machine_.enclosed(i)));
     const Interval value = Interval(sign) * there.det_a / volume;
     result.limits.push_back(atLeast(Kind::ASPECT, -1, value, 0.0));
   }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "pkm_workspace/machine/rails.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -12,21 +14,21 @@ using Eigen::Vector3d;
 const IntervalMatrix IDENTITY = { enclose(Vector3d::UnitX()), enclose(Vector3d::UnitY()), enclose(Vector3d::UnitZ()) };
 
 /// Whether the point is proved to lie on the line c + t e of a leg.
-bool isOnLine(const Machine& machine, int leg, const Vector3d& point)
+bool isOnLine(const EnclosedStrut& strut, const Vector3d& point)
 {
-  for (const Interval& entry : cross(enclose(point) - machine.center(leg), machine.leg(leg).axis))
+  for (const Interval& entry : cross(enclose(point) - strut.center, strut.axis))
     if (entry != Interval(0.0))
       return false;
   return true;
 }
 
 /// The point of the first leg's line that is nearest to the second one's; floating point. @pre they are not parallel
-Vector3d nearestOf(const Machine& machine, int first, int second)
+Vector3d nearestOf(const EnclosedStrut& first, const EnclosedStrut& second)
 {
-  const Vector3d e = mid(machine.leg(first).axis);
-  const Vector3d f = mid(machine.leg(second).axis);
-  const Vector3d c = mid(machine.center(first));
-  const Vector3d between = mid(machine.center(second)) - c;
+  const Vector3d e = mid(first.axis);
+  const Vector3d f = mid(second.axis);
+  const Vector3d c = mid(first.center);
+  const Vector3d between = mid(second.center) - c;
   const double cosine = e.dot(f);
   return c + (between.dot(e) - cosine * between.dot(f)) / (1.0 - cosine * cosine) * e;
 }
@@ -61,14 +63,14 @@ std::vector<StrutSphere> strutSpheres(const Machine& machine)
   std::vector<StrutSphere> spheres;
   for (const auto& [first, second] : { std::pair(0, 1), std::pair(0, 2), std::pair(1, 2) })
   {
-    const Leg& a = machine.leg(first);
-    const Leg& b = machine.leg(second);
-    if (!a.length.isSingle() || a.length != b.length || parallelSense(a, b) != 0)
+    const auto* const a = std::get_if<EnclosedStrut>(&machine.enclosed(first));
+    const auto* const b = std::get_if<EnclosedStrut>(&machine.enclosed(second));
+    if (a == nullptr || b == nullptr || !a->length.isSingle() || a->length != b->length ||
+        parallelSense(machine.leg(first), machine.leg(second)) != 0)
       continue;
-    const Vector3d meeting = nearestOf(machine, first, second);
-    if (meeting.allFinite() && isOnLine(machine, first, meeting) && isOnLine(machine, second, meeting))
-      spheres.emplace_back(meeting, a.length.lower(), Interval(a.working_mode) * a.axis,
-                           Interval(b.working_mode) * b.axis);
+    const Vector3d meeting = nearestOf(*a, *b);
+    if (meeting.allFinite() && isOnLine(*a, meeting) && isOnLine(*b, meeting))
+      spheres.emplace_back(meeting, a->length.lower(), a->sign * a->axis, b->sign * b->axis);
   }
   return spheres;
 }

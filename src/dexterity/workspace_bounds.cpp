@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/dexterity/unbounded.h"
-
-#include "pkm_workspace/dexterity/eta_range.h"
+#include "pkm_workspace/machine/rails.h"
 
 namespace pkm_workspace
 {
@@ -23,19 +23,20 @@ Interval symmetric(const Interval& radius)
   return Interval(-radius.upper(), radius.upper());
 }
 
-/// All three cylinders at once: with E = I - e e^T and q = E (p - c), p = (sum E)^-1 (sum E c + sum q), so that for any
-/// u |u . p - u . (sum E)^-1 sum E c| <= sum |E (sum E)^-1 u| |q|.
-class Cylinders
+/// All three outer bounds at once: with q = E (p - c), p = (sum E)^-1 (sum E c + sum q), so that for any u
+/// |u . p - u . (sum E)^-1 sum E c| <= sum |E (sum E)^-1 u| |q|.
+class OuterBounds
 {
 public:
-  Cylinders(const Machine& machine, const Criterion& criterion) : machine_(machine), criterion_(criterion)
+  OuterBounds(const Machine& machine, const Criterion& criterion) : machine_(machine), steepest_(steepest(criterion))
   {
     IntervalMatrix sum;
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      moment_ = moment_ + machine.projector(i) * machine.center(i);
+      bounds_[i] = outerBound(machine.enclosed(static_cast<int>(i)), steepest_);
+      moment_ = moment_ + bounds_[i].projector * bounds_[i].center;
       for (std::size_t row = 0; row < 3; ++row)
-        sum[row] = sum[row] + machine.projector(i)[row];
+        sum[row] = sum[row] + bounds_[i].projector[row];
     }
     const Interval det = determinant(sum[0], sum[1], sum[2]);
     meet_ = !machine.hasParallelRails() && det.certainlyPositive();
@@ -48,21 +49,21 @@ public:
   }
 
   /// Encloses the points that lie in all three.
-  Box bounds() const
+  Box box() const
   {
     if (!meet_)
       return EVERYWHERE;
     return boundingBox({ range(inverse_[0]), range(inverse_[1]), range(inverse_[2]) });
   }
 
-  /// Encloses rho of leg i at these points: e . (p - c) - eta, where eta^2 = L^2 - |q|^2.
+  /// Encloses the joint value of leg i at these points.
   Interval jointRange(int i) const
   {
     if (!meet_)
       return Interval::entire();
-    const Leg& leg = machine_.leg(i);
-    const Interval along = range(inverse_ * leg.axis) - dot(leg.axis, machine_.center(i));
-    return along - etaRange(leg, criterion_);
+    const auto along = [this](const IntervalVector& u) { return range(inverse_ * u); };
+    return visitLeg([&](const auto& leg) { return pkm_workspace::jointRange(leg, steepest_, along); },
+                    machine_.enclosed(i));
   }
 
 private:
@@ -70,72 +71,51 @@ private:
   Interval range(const IntervalVector& image) const
   {
     Interval sum = dot(image, moment_);
-    for (int i = 0; i < 3; ++i)
-      sum += symmetric(norm(machine_.projector(i) * image) * cylinderRadius(machine_.leg(i), criterion_));
+    for (const OuterBound& bound : bounds_)
+      sum += symmetric(norm(bound.projector * image) * bound.radius);
     return sum;
   }
 
   const Machine& machine_;
-  const Criterion& criterion_;
+  std::optional<Interval> steepest_;
+  std::array<OuterBound, 3> bounds_;
   bool meet_ = false;  ///< whether they bound anything
   IntervalMatrix inverse_;
   IntervalVector moment_;
 };
 
-/// One leg by its joint limits: p = c + q + t e, where t = rho + eta and |eta| <= L.
+/// One leg by its joint limits.
 Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
 {
-  const Leg& leg = machine.leg(i);
-  if (!leg.limits.isBounded())
-    return EVERYWHERE;
-  const Interval eta = leg.working_mode > 0 ? Interval(0.0, leg.length.upper()) : Interval(-leg.length.upper(), 0.0);
-  const IntervalVector q = offsetAcross(machine, i, cylinderRadius(leg, criterion));
-  return boundingBox(machine.center(i) + q + (leg.limits + eta) * leg.axis);
+  const Interval& limits = machine.leg(i).limits;
+  return limits.isBounded() ? boundingBox(pointsWithin(machine.enclosed(i), limits, steepest(criterion))) : EVERYWHERE;
 }
 
 /// Parallel rails by the limits of several legs: e . p = e . c + sense (rho + eta) for each, with e that of the first.
 Box boundsByLimitsTogether(const Machine& machine, const Criterion& criterion)
 {
-  const IntervalVector& e = machine.leg(0).axis;
+  const IntervalVector& e = directionOfRails(machine);
+  const std::optional<Interval> slope = steepest(criterion);
   Interval along = Interval::entire();
   for (int i = 0; i < 3 && !along.isEmpty(); ++i)
   {
     const Leg& leg = machine.leg(i);
-    const Interval travel = Interval(parallelSense(machine.leg(0), leg)) * (leg.limits + etaRange(leg, criterion));
+    const Interval travel =
+        Interval(parallelSense(machine.leg(0), leg)) * (leg.limits + driveRange(machine.enclosed(i), slope));
     along = intersection(along, dot(e, machine.center(i)) + travel);
   }
   if (along.isEmpty())
     return { Eigen::Vector3d::Constant(INF), Eigen::Vector3d::Constant(-INF) };
   if (!along.isBounded())
     return EVERYWHERE;
-  const IntervalVector q = offsetAcross(machine, 0, cylinderRadius(machine.leg(0), criterion));
+  const IntervalVector q = outerBound(machine.enclosed(0), slope).offsets();
   return boundingBox(machine.center(0) + q + (along - dot(e, machine.center(0))) * e);
 }
 }  // namespace
 
-Interval cylinderRadius(const Leg& leg, const Criterion& criterion)
+std::optional<Interval> steepest(const Criterion& criterion)
 {
-  if (!criterion.boundsAbove())
-    return leg.length;
-  const Interval share = Interval(1.0) - Interval(1.0) / sqr(criterion.largestFactor());
-  return leg.length * sqrtAboveZero(share);
-}
-
-Interval etaRange(const Leg& leg, const Criterion& criterion)
-{
-  const double longest = leg.length.upper();
-  const double least = criterion.boundsAbove() ? (leg.length / criterion.largestFactor()).lower() : 0.0;
-  return Interval(leg.working_mode) * Interval(std::min(least, longest), longest);
-}
-
-IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& radius)
-{
-  IntervalVector q;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    q[k] = symmetric(radius * sqrtAboveZero(machine.projector(leg)[k][k]));
-  }
-  return q;
+  return steepestOf(criterion, static_cast<Conditions<double>*>(nullptr));
 }
 
 std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& criterion)
@@ -143,11 +123,11 @@ std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& 
   std::array<Interval, 3> binding = { Interval::entire(), Interval::entire(), Interval::entire() };
   if (!criterion.joint_limits || !machine.hasJointLimits())
     return binding;
-  const Cylinders cylinders(machine, criterion);
+  const OuterBounds outer(machine, criterion);
   for (int i = 0; i < 3; ++i)
   {
     const Interval& limits = machine.leg(i).limits;
-    const Interval range = cylinders.jointRange(i);
+    const Interval range = outer.jointRange(i);
     binding[static_cast<std::size_t>(i)] = { range.lower() >= limits.lower() ? -INF : limits.lower(),
                                              range.upper() <= limits.upper() ? INF : limits.upper() };
   }
@@ -156,7 +136,7 @@ std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& 
 
 Box boundsOfSet(const Machine& machine, const Criterion& criterion)
 {
-  Box bounds = Cylinders(machine, criterion).bounds();
+  Box bounds = OuterBounds(machine, criterion).box();
   const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
   for (int i = 0; i < 3; ++i)
     if (limits[static_cast<std::size_t>(i)] != Interval::entire())
@@ -172,10 +152,15 @@ bool slidesAlongRails(const Machine& machine, const Criterion& criterion)
   return machine.hasParallelRails() && !(criterion.joint_limits && machine.hasJointLimits());
 }
 
+const IntervalVector& directionOfRails(const Machine& machine)
+{
+  return slidingStrut(machine.leg(0)).axis;
+}
+
 int mainAxisOfRails(const Machine& machine)
 {
   int axis = 0;
-  mid(machine.leg(0).axis).cwiseAbs().maxCoeff(&axis);
+  mid(directionOfRails(machine)).cwiseAbs().maxCoeff(&axis);
   return axis;
 }
 
@@ -186,8 +171,8 @@ Box boundsAcrossRails(const Machine& machine, const Criterion& criterion, int ax
   for (int i = 0; i < 3; ++i)
   {
     // one leg and the plane: t = (level - c_axis - q_axis) / e_axis
-    const IntervalVector& e = machine.leg(i).axis;
-    const IntervalVector q = offsetAcross(machine, i, cylinderRadius(machine.leg(i), criterion));
+    const IntervalVector& e = slidingStrut(machine.leg(i)).axis;
+    const IntervalVector q = outerBound(machine.enclosed(i), steepest(criterion)).offsets();
     const Interval along = (Interval(level) - machine.center(i)[k] - q[k]) / e[k];
     bounds = intersection(bounds, boundingBox(machine.center(i) + q + along * e));
   }

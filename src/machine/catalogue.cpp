@@ -26,12 +26,13 @@ Machine orthoglide(double length)
   const char* const joints[] = { "rail_x", "rail_y", "rail_z" };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    legs[i].joint = joints[i];
-    legs[i].axis = { 0.0, 0.0, 0.0 };
-    legs[i].axis[i] = 1.0;
-    legs[i].origin = Interval(-length) * legs[i].axis;
-    legs[i].platform = { 0.0, 0.0, 0.0 };
-    legs[i].length = length;
+    SlidingStrut strut;
+    strut.axis = { 0.0, 0.0, 0.0 };
+    strut.axis[i] = 1.0;
+    strut.origin = Interval(-length) * strut.axis;
+    strut.platform = { 0.0, 0.0, 0.0 };
+    strut.length = length;
+    legs[i] = { joints[i], Interval::entire(), strut };
   }
   return Machine("orthoglide", legs, Eigen::Vector3d::Zero());
 }
@@ -66,12 +67,13 @@ Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, do
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    legs[i].joint = "rail_" + std::to_string(i + 1);
-    legs[i].axis = { 0.0, 0.0, 1.0 };
-    legs[i].origin = rail_radius * directions[i];
-    legs[i].platform = platform_radius * directions[i];
-    legs[i].length = length;
-    legs[i].working_mode = -1;
+    SlidingStrut strut;
+    strut.axis = { 0.0, 0.0, 1.0 };
+    strut.origin = rail_radius * directions[i];
+    strut.platform = platform_radius * directions[i];
+    strut.length = length;
+    strut.working_mode = -1;
+    legs[i] = { "rail_" + std::to_string(i + 1), Interval::entire(), strut };
   }
   const double depth = sqrt(sqr(Interval(length)) - sqr(offset)).mid();
   return Machine("uranesx", legs, Eigen::Vector3d(0.0, 0.0, -depth));

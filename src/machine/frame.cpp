@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/machine/rails.h"
 
 namespace pkm_workspace
 {
@@ -75,15 +76,9 @@ Machine machineInFrame(const Machine& machine, const Pose& pose)
   const IntervalMatrix rotation = rotationOf(pose);
   const IntervalVector translation = enclose(pose.translation);
   Machine::Legs legs = machine.legs();
-  const std::array<int, 3> directions = sharedDirections(legs);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    Leg& leg = legs[i];
-    leg.direction = directions[i];
-    leg.origin = rotation * leg.origin + translation;
-    leg.axis = rotation * leg.axis;
-    leg.platform = rotation * leg.platform;
-  }
+  setDirections(legs, sharedDirections(legs));
+  for (Leg& leg : legs)
+    leg.kind = visitLeg([&](const auto& kind) -> LegKind { return moved(kind, rotation, translation); }, leg.kind);
   Machine turned(machine.name(), legs, mid(rotation * enclose(machine.zero()) + translation));
   if (turned.aspect() != machine.aspect())
     throw std::invalid_argument("machine '" + machine.name() +

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pkm_workspace/machine/assembly.h"
-#include "pkm_workspace/machine/leg_kinds.h"
+#include "pkm_workspace/machine/leg_forms.h"
 
 namespace pkm_workspace
 {
@@ -35,33 +35,14 @@ std::optional<std::array<Vector3d, 2>> meet(const Matrix3d& centers, const Vecto
   return std::array<Vector3d, 2>{ origin + in_plane + height, origin + in_plane - height };
 }
 
-/// A leg in floating point.
-struct PlainState
-{
-  LegState<double, PlainVector<double>> state;
-  double joint;  ///< [m]
-};
-
 /// @return nothing where a leg does not reach
-std::optional<std::array<PlainState, 3>> legsAt(const Machine& machine, const Vector3d& p)
+std::optional<std::array<LegNumbers, 3>> legsAt(const Machine& machine, const Vector3d& p)
 {
-  std::array<PlainState, 3> legs;
-  const PlainVector<double> point = { p.x(), p.y(), p.z() };
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const PlainLeg<double> leg = plain(ofForms<double>(enclosedLeg(machine, static_cast<int>(i))));
-    const double length = machine.legs()[i].length.mid();
-    double across = 0.0;
-    // the root of L^2 - |q|^2 that loses no digits where the two are near; the row is q as yet
-    const auto root = [&, &q = legs[i].state.row](double) {
-      across = std::sqrt(squaredNorm(q));
-      return std::sqrt(std::max(0.0, (length - across) * (length + across)));
-    };
-    evaluate(leg, point, root, legs[i].state);
-    if (!(across <= length))
+  std::array<LegNumbers, 3> legs;
+  for (int i = 0; i < 3; ++i)
+    if (!visitLeg([&](const auto& kind) { return evaluateNear(kind, p, legs[static_cast<std::size_t>(i)]); },
+                  machine.enclosed(i)))
       return std::nullopt;
-    legs[i].joint = jointOf(leg, point, legs[i].state);
-  }
   return legs;
 }
 }  // namespace
@@ -71,7 +52,7 @@ std::optional<Configuration> configurationAt(const Machine& machine, const Inter
   Configuration configuration;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const EnclosedLeg leg = enclosedLeg(machine, static_cast<int>(i));
+    const EnclosedLeg& leg = machine.enclosed(static_cast<int>(i));
     LegState<Interval, IntervalVector> state;
     evaluate(leg, p, sqrtAboveZero, state);
     if (state.squared_drive.lower() < 0.0)
@@ -103,13 +84,14 @@ std::optional<Vector3d> forwardKinematics(const Machine& machine, const Vector3d
 std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, int aspect)
 {
   Matrix3d centers;
-  Vector3d lengths;
+  Vector3d radii;
   for (int i = 0; i < 3; ++i)
   {
-    centers.col(i) = mid(machine.center(i)) + rho[i] * mid(machine.leg(i).axis);
-    lengths[i] = machine.leg(i).length.mid();
+    const LegSphere sphere = sphereAt(machine.enclosed(i), rho[i]);
+    centers.col(i) = sphere.center;
+    radii[i] = sphere.radius;
   }
-  const auto points = meet(centers, lengths);
+  const auto points = meet(centers, radii);
   if (!points)
     return std::nullopt;
   for (const Vector3d& p : *points)
@@ -117,7 +99,7 @@ std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, in
     const Matrix3d struts = p.replicate<1, 3>() - centers;  // columns d_i
     bool fits = aspect * struts.determinant() > 0.0;
     for (int i = 0; i < 3; ++i)
-      fits = fits && machine.leg(i).working_mode * struts.col(i).dot(mid(machine.leg(i).axis)) > 0.0;
+      fits = fits && visitLeg([&](const auto& kind) { return isInMode(kind, struts.col(i)); }, machine.enclosed(i));
     if (fits)
       return p;
   }
@@ -132,7 +114,7 @@ std::optional<Jacobians> jacobians(const Machine& machine, const Vector3d& p)
   Jacobians result;
   for (int i = 0; i < 3; ++i)
   {
-    const PlainState& leg = (*legs)[static_cast<std::size_t>(i)];
+    const LegNumbers& leg = (*legs)[static_cast<std::size_t>(i)];
     result.a.row(i) = Eigen::Map<const Eigen::RowVector3d>(leg.state.row.data());
     result.b[i] = leg.state.drive;
     if (result.b[i] == 0.0)
@@ -149,12 +131,10 @@ Vector3d transmissionFactors(const Jacobians& jacobians)
   return svd.singularValues().reverse();
 }
 
-SingularityMeasures singularityMeasures(const Machine& machine, const Jacobians& jacobians)
+SingularityMeasures singularityMeasures(const Jacobians& jacobians)
 {
-  Vector3d lengths;
-  for (int i = 0; i < 3; ++i)
-    lengths[i] = machine.leg(i).length.mid();
-  return { (jacobians.b.cwiseAbs().cwiseQuotient(lengths)).minCoeff(),
-           std::abs(jacobians.a.determinant()) / lengths.prod() };
+  const Vector3d lengths = jacobians.a.rowwise().norm();
+  return { std::min(1.0, jacobians.b.cwiseAbs().cwiseQuotient(lengths).minCoeff()),
+           std::min(1.0, std::abs(jacobians.a.determinant()) / lengths.prod()) };
 }
 }  // namespace pkm_workspace

@@ -27,8 +27,7 @@ void validateRanges(const std::array<Interval, 3>& ranges, Problems& problems)
     }
 }
 
-/// Bounds the volume of the points whose joint values lie in the outer ranges, but not all in the inner ones: for each
-/// offset across a rail, of which there are pi L^2, joint value and way along the rail differ by a constant.
+/// Bounds the volume of the points whose joint values lie in the outer ranges, but not all in the inner ones.
 Interval volumeBetween(const Machine& machine, const JointIntervals& ranges)
 {
   Interval volume;
@@ -40,7 +39,8 @@ Interval volumeBetween(const Machine& machine, const JointIntervals& ranges)
     if (!inner.isEmpty())
       between =
           (Interval(inner.lower()) - Interval(outer.lower())) + (Interval(outer.upper()) - Interval(inner.upper()));
-    volume += pi() * sqr(machine.leg(static_cast<int>(i)).length) * between;
+    volume +=
+        visitLeg([&](const auto& leg) { return volumeOfJoints(leg, between); }, machine.enclosed(static_cast<int>(i)));
   }
   return volume;
 }

@@ -16,7 +16,7 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 
 bool runAlongAxis(const Machine& machine, int axis)
 {
-  const Interval& e = machine.leg(0).axis[static_cast<std::size_t>(axis)];
+  const Interval& e = directionOfRails(machine)[static_cast<std::size_t>(axis)];
   return e == Interval(1.0) || e == Interval(-1.0);
 }
 
@@ -37,7 +37,7 @@ Box centersAcrossRails(const Machine& machine, const RegionQuery& query)
   return intersection(boundsAcrossRails(machine, query.criterion, axis, level), *query.search_box);
 }
 
-/// Two points k and k' of K lie in a cylinder together only if size * |E (k - k')| <= 2 radius.
+/// Two points k and k' of K lie in an outer bound together only if size * |E (k - k')| <= 2 radius.
 double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
 {
   double bound = INF;
@@ -51,7 +51,10 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
     {
       const IntervalVector difference = enclose(points[first]) - enclose(points[second]);
       for (int i = 0; i < 3; ++i)
-        take(Interval(2.0) * cylinderRadius(machine.leg(i), query.criterion), norm(machine.projector(i) * difference));
+      {
+        const OuterBound outer = outerBound(machine.enclosed(i), steepest(query.criterion));
+        take(Interval(2.0) * outer.radius, norm(outer.projector * difference));
+      }
       for (std::size_t k = 0; k < 3; ++k)
         if (std::isfinite(bounds.upper[static_cast<int>(k)] - bounds.lower[static_cast<int>(k)]))
           take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "circle_maximum.h"
-#include "pkm_workspace/machine/sliding_strut.h"
+#include "pkm_workspace/machine/leg_forms.h"
 
 namespace pkm_workspace
 {
@@ -57,11 +57,9 @@ enum class Function
 class Strut
 {
 public:
-  Strut(const Machine& machine, int leg)
-    : strut_(enclosedStrut(machine, leg)), weight_(strut_.sign * strut_.axis), length_(machine.leg(leg).length)
-  {}
+  explicit Strut(const EnclosedStrut& strut) : strut_(strut), weight_(strut.sign * strut.axis) {}
 
-  const Interval& length() const { return length_; }
+  const Interval& length() const { return strut_.length; }
   Interval height(const IntervalVector& p) const { return strut_.sign * stateAt(p).drive; }
   Interval signedJoint(const IntervalVector& p) const { return strut_.sign * jointOf(strut_, p, stateAt(p)); }
 
@@ -78,13 +76,13 @@ public:
   /// Encloses the least height over a ball: that at its point farthest from the rail.
   Interval leastHeight(const IntervalVector& center, const Interval& radius) const
   {
-    return heightAt(length_, distance(center) + radius);
+    return heightAt(strut_.length, distance(center) + radius);
   }
   /// Encloses the largest s rho over a ball: {s rho <= t} is a ball of radius L swept along a ray, and a smaller ball
   /// lies in it exactly when its center lies in one of radius L - r swept along that ray.
   Interval largestJoint(const IntervalVector& center, const Interval& radius) const
   {
-    return dot(weight_, center - strut_.center) - heightAt(length_ - radius, distance(center));
+    return dot(weight_, center - strut_.center) - heightAt(strut_.length - radius, distance(center));
   }
 
   /// Encloses the least s rho: the least t at which the region comes within the strut's length of c + t w. That
@@ -93,7 +91,7 @@ public:
   {
     const Vector3d w = mid(weight_);
     const Vector3d c = mid(strut_.center);
-    const double length = length_.mid();
+    const double length = strut_.length.mid();
     double t = region.leastAlong(enclose(w), strut_.center).lower() - length;
     double bound = -INF;
     Vector3d nearest = region.center;
@@ -126,7 +124,7 @@ public:
     }
     const Vector3d strut = strutAt(high);
     const double value = height(region.pointNear(c + high * w + strut)).lower();
-    const double bound = heightAt(length_, Interval(distanceBound(strut, region))).upper();
+    const double bound = heightAt(strut_.length, Interval(distanceBound(strut, region))).upper();
     return { value, std::max(bound, value) };
   }
 
@@ -165,7 +163,7 @@ private:
     const Interval along = dot(enclose(n), weight_);
     if (!along.certainlyPositive())
       return -INF;
-    return ((region.leastAlong(enclose(n), strut_.center) - norm(enclose(n)) * length_) / along).lower();
+    return ((region.leastAlong(enclose(n), strut_.center) - norm(enclose(n)) * strut_.length) / along).lower();
   }
   /// Bounds the distance of the region from the rail's line from below: |Pn| |q| >= n . q = (Pn) . (p - c).
   double distanceBound(const Vector3d& n, const Region& region) const
@@ -177,7 +175,6 @@ private:
 
   EnclosedStrut strut_;
   IntervalVector weight_;
-  Interval length_;
 };
 
 /// Encloses the larger of two numbers.
@@ -213,13 +210,13 @@ Interval largest(const Strut& strut, Function function, const Region& region)
   return most;
 }
 
-JointRange rangeOf(const Machine& machine, int leg, const Region& region)
+JointRange rangeOf(const EnclosedStrut& leg, const Region& region)
 {
-  const Strut strut(machine, leg);
+  const Strut strut(leg);
   const Interval first = strut.leastJoint(region);
   const Interval last = largest(strut, Function::SIGNED_JOINT, region);
   const Interval least_height = -largest(strut, Function::NEGATIVE_HEIGHT, region);
-  const bool positive = machine.leg(leg).working_mode > 0;
+  const bool positive = leg.sign.lower() > 0.0;
   const Interval not_negative(0.0, INF);
   JointRange range;
   range.lower = positive ? first : -last;
@@ -233,6 +230,9 @@ JointRange rangeOf(const Machine& machine, int leg, const Region& region)
 std::array<JointRange, 3> jointRanges(const Machine& machine, const Shape& shape, const Vector3d& center, double size)
 {
   const Region region{ shape, center, size };
-  return { rangeOf(machine, 0, region), rangeOf(machine, 1, region), rangeOf(machine, 2, region) };
+  const auto of = [&](int i) {
+    return visitLeg([&](const auto& leg) { return rangeOf(leg, region); }, machine.enclosed(i));
+  };
+  return { of(0), of(1), of(2) };
 }
 }  // namespace pkm_workspace

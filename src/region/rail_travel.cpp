@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "pkm_workspace/dexterity/eta_range.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/centered_box.h"
+#include "pkm_workspace/machine/rails.h"
 
 namespace pkm_workspace
 {
@@ -18,11 +18,6 @@ using Eigen::Vector3d;
 constexpr double INF = std::numeric_limits<double>::infinity();
 
 const Box NOWHERE{ Vector3d::Constant(INF), Vector3d::Constant(-INF) };
-
-const IntervalVector& directionOf(const Machine& machine)
-{
-  return machine.leg(0).axis;
-}
 }  // namespace
 
 RailTravel::RailTravel(const Machine& machine, const RegionQuery& query, double size_bound)
@@ -32,7 +27,7 @@ RailTravel::RailTravel(const Machine& machine, const RegionQuery& query, double 
   , shape_(query.shape)
   , search_box_(query.search_box)
   , axis_(mainAxisOfRails(machine))
-  , direction_(mid(directionOf(machine)))
+  , direction_(mid(directionOfRails(machine)))
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -65,7 +60,7 @@ Box RailTravel::placesAt(double level) const
   Box places = boundsAcrossRails(machine_, criterion_, axis_, level);
   if (!search_box_)
     return places;
-  const IntervalVector& e = directionOf(machine_);
+  const IntervalVector& e = directionOfRails(machine_);
   const Interval t = (search_box_->side(axis_) - Interval(level)) / e[static_cast<std::size_t>(axis_)];
   Box projected = boundingBox(enclose(*search_box_) - t * e);
   projected.lower[axis_] = projected.upper[axis_] = level;
@@ -75,19 +70,20 @@ Box RailTravel::placesAt(double level) const
 /// sense * eta, which is what lies along e of the strut.
 Interval RailTravel::alongRail(int leg) const
 {
-  return Interval(sense(leg)) * etaRange(machine_.leg(leg), criterion_);
+  return Interval(sense(leg)) * driveRange(machine_.enclosed(leg), steepest(criterion_));
 }
 
 Interval RailTravel::jointRange(int leg, const Box& places) const
 {
-  return dot(directionOf(machine_), enclose(places) - machine_.center(leg)) - alongRail(leg);
+  return dot(directionOfRails(machine_), enclose(places) - machine_.center(leg)) - alongRail(leg);
 }
 
 Interval RailTravel::travelOver(const Box& places) const
 {
   Interval travel = Interval::entire();
   if (search_box_)
-    travel = (search_box_->side(axis_) - places.side(axis_)) / directionOf(machine_)[static_cast<std::size_t>(axis_)];
+    travel =
+        (search_box_->side(axis_) - places.side(axis_)) / directionOfRails(machine_)[static_cast<std::size_t>(axis_)];
   for (int i = 0; i < 3 && !travel.isEmpty(); ++i)
     travel = intersection(travel, limits_[static_cast<std::size_t>(i)] - jointRange(i, places));
   return travel;
@@ -97,7 +93,7 @@ Interval RailTravel::travelOver(const Box& places) const
 /// r_i(p) - r_j(p') = e . (p - p') + e . (c_j - c_i) + sense_j eta_j - sense_i eta_i.
 bool RailTravel::alwaysLeavesTravel(double size_bound) const
 {
-  const IntervalVector& e = directionOf(machine_);
+  const IntervalVector& e = directionOfRails(machine_);
   const Interval extent = shape_->support(e) + shape_->support({ -e[0], -e[1], -e[2] });
   const Interval apart = extent == Interval(0.0) ? extent : extent * Interval(0.0, std::max(0.0, size_bound));
   for (int i = 0; i < 3; ++i)
@@ -119,7 +115,7 @@ Box RailTravel::centers() const
 {
   if (!places_.isValid())
     return places_;
-  const Box box = boundingBox(enclose(places_) + Interval(-reach_, reach_) * directionOf(machine_));
+  const Box box = boundingBox(enclose(places_) + Interval(-reach_, reach_) * directionOfRails(machine_));
   return search_box_ ? intersection(box, *search_box_) : box;
 }
 
@@ -155,7 +151,7 @@ void RailTravel::addSearchBox(const Box& places, std::vector<AffineForm<double>>
   travel.gradient[static_cast<std::size_t>(axis_)] = reach_;
   for (int j = 0; search_box_ && j < 3; ++j)
   {
-    const Interval& e = directionOf(machine_)[static_cast<std::size_t>(j)];
+    const Interval& e = directionOfRails(machine_)[static_cast<std::size_t>(j)];
     if (j == axis_ || e == Interval(0.0))
       continue;
     const AffineForm<double> center = coordinate(centered, static_cast<std::size_t>(j)) + Enclosed<double>(e) * travel;

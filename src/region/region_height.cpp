@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/machine/rails.h"
 #include "pkm_workspace/region/containment.h"
 
 namespace pkm_workspace
@@ -43,7 +44,7 @@ Interval travelOf(const Machine& machine, const RegionQuery& query, const Larges
   }
   for (std::size_t k = 0; query.search_box && k < 3; ++k)
   {
-    const Interval e(machine.leg(0).axis[k].mid());
+    const Interval e(directionOfRails(machine)[k].mid());
     const int axis = static_cast<int>(k);
     if (e != Interval(0.0))
       travel = intersection(travel, travelWithin(query.search_box->side(axis), region.center[axis]) / e);
@@ -69,7 +70,7 @@ void settleHeight(const Machine& machine, const RegionQuery& query, const Runnin
   if (!machine.hasParallelRails())
     return;
   const int axis = mainAxisOfRails(machine);
-  const Vector3d e = mid(machine.leg(0).axis);
+  const Vector3d e = mid(directionOfRails(machine));
   const double height = query.search_box ? query.search_box->center()[axis] : machine.zero()[axis];
   const double wanted = (height - region.center[axis]) / e[axis];
   const Interval travel = travelOf(machine, query, region);

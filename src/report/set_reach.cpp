@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
-#include "pkm_workspace/machine/leg_kinds.h"
+#include "pkm_workspace/machine/leg_forms.h"
 #include "pkm_workspace/region/containment.h"
 
 namespace pkm_workspace
@@ -35,7 +35,7 @@ auto& at(Array& array, int i)
 /// Encloses the joint values at those points of a box that the strut reaches.
 Interval jointsOver(const Machine& machine, int i, const Box& box)
 {
-  const EnclosedLeg leg = enclosedLeg(machine, i);
+  const EnclosedLeg& leg = machine.enclosed(i);
   LegState<Interval, IntervalVector> state;
   evaluate(leg, enclose(box), sqrtAboveZero, state);
   return state.squared_drive.upper() < 0.0 ? Interval::empty() : jointOf(leg, enclose(box), state);

@@ -153,7 +153,7 @@ bool hangsBelowSliders(const Region& region, const Machine& machine)
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
   {
     const RailRange& range = region.joint_ranges[i];
-    above += sliderPoint(machine.leg(static_cast<int>(i)), 0.5 * (range.lower + range.upper)).z() - region.center.z;
+    above += drivenPoint(machine.leg(static_cast<int>(i)), 0.5 * (range.lower + range.upper)).z() - region.center.z;
   }
   return above > 0.0;
 }
@@ -171,21 +171,21 @@ void addRegion(const Region& region, const Machine& machine, Scene& scene)
 /// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
 Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, double unit)
 {
-  const auto distance = [&](double rho) { return (sliderPoint(leg, rho) - center).norm(); };
+  const auto distance = [&](double rho) { return (drivenPoint(leg, rho) - center).norm(); };
   const double outwards = distance(range.lower) > distance(range.upper) ? -1.0 : 1.0;
   const double reach = std::max(0.5 * (range.upper - range.lower) + 50.0 * unit, 550.0 * unit);
   const double end = 0.5 * (range.lower + range.upper) + outwards * reach;
   const double on_rail = std::min(std::max(end, leg.limits.lower()), leg.limits.upper());
-  const Eigen::Vector3d axis = mid(leg.axis);
+  const Eigen::Vector3d axis = (drivenPoint(leg, range.upper) - drivenPoint(leg, range.lower)).normalized();
   const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ() - axis.z() * axis;
-  return sliderPoint(leg, on_rail + outwards * 210.0 * unit) + 140.0 * unit * upwards;
+  return drivenPoint(leg, on_rail + outwards * 210.0 * unit) + 140.0 * unit * upwards;
 }
 
 void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, Scene& scene)
 {
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
-  bar.points = { toMessage(sliderPoint(leg, range.lower)), toMessage(sliderPoint(leg, range.upper)) };
+  bar.points = { toMessage(drivenPoint(leg, range.lower)), toMessage(drivenPoint(leg, range.upper)) };
   const std::string text = range.joint + "\nstroke <=\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
   scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
 }

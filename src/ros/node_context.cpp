@@ -31,8 +31,8 @@ void logMachine(const UrdfMachine& urdf, const std::string& frame)
     ROS_WARN_STREAM_NAMED("urdf", warning);
   TextStream legs;
   for (const Leg& leg : urdf.machine.legs())
-    legs << "; " << leg.joint << " in [" << leg.limits.lower() << ", " << leg.limits.upper() << "] m, strut "
-         << leg.length.mid() << " m";
+    legs << "; " << leg.joint << " in [" << leg.limits.lower() << ", " << leg.limits.upper() << "] m, "
+         << visitLeg([](const auto& kind) { return describe(kind); }, leg.kind);
   ROS_INFO_STREAM_NAMED("urdf", "machine '" << urdf.machine.name() << "' in frame " << frame << legs.str()
                                             << "; geometry " << urdf.machine.geometryHash());
 }

@@ -90,11 +90,6 @@ void Scene::addCaption(const Eigen::Vector3d& place, const std::string& text)
   array_.markers.front().text = text;
 }
 
-Eigen::Vector3d sliderPoint(const Leg& leg, double rho)
-{
-  return mid(leg.origin) + rho * mid(leg.axis);
-}
-
 void addPaving(const BoxTree& tree, const std::string& inside, const std::string& undecided, Scene& scene)
 {
   const BoxTree coarse = tree.coarsened(MOST_BOXES);

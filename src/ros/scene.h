@@ -43,9 +43,6 @@ private:
   visualization_msgs::MarkerArray array_;
 };
 
-/// Where the slider of a leg stands, by floating point [m].
-Eigen::Vector3d sliderPoint(const Leg& leg, double rho);
-
 /// Adds the boxes of a paving, as coarsely as it takes for about 20000 of them: more than that rviz does not draw
 /// smoothly. One list for each size, because a list has one scale.
 /// @param inside, undecided namespaces; empty: these boxes are left out

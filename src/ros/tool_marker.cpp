@@ -66,9 +66,9 @@ void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
   const double upper = std::min(leg.limits.upper(), rho + reach);
   Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);
   rail.scale.x = 8.0 * scene.unit();
-  rail.points = { toMessage(sliderPoint(leg, lower)), toMessage(sliderPoint(leg, upper)) };
+  rail.points = { toMessage(drivenPoint(leg, lower)), toMessage(drivenPoint(leg, upper)) };
   Marker& slider = scene.add("travel", Marker::SPHERE, SLIDER);
-  slider.pose.position = toMessage(sliderPoint(leg, rho));
+  slider.pose.position = toMessage(drivenPoint(leg, rho));
   slider.scale.x = slider.scale.y = slider.scale.z = 45.0 * scene.unit();
 }
 

@@ -99,9 +99,12 @@ std::vector<Figure> figuresOf(const Comparison& study)
   if (!(region.size > 0.0))
     return {};
   const Shape& shape = *region.shape;
-  Interval strut = study.machine.leg(0).length;
-  for (const Leg& leg : study.machine.legs())
-    strut = { std::max(strut.lower(), leg.length.lower()), std::max(strut.upper(), leg.length.upper()) };
+  Interval strut = lengthOf(study.machine.enclosed(0));
+  for (int i = 1; i < 3; ++i)
+  {
+    const Interval length = lengthOf(study.machine.enclosed(i));
+    strut = { std::max(strut.lower(), length.lower()), std::max(strut.upper(), length.upper()) };
+  }
   const bool is_own = study.query.criterion.aspect == Criterion::Aspect::OWN;
   const Interval& all = is_own ? study.workspace.own_aspect : study.workspace.other_aspect;
   const Interval& more = is_own ? study.workspace.other_aspect : study.workspace.own_aspect;

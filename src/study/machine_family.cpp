@@ -7,45 +7,26 @@
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/machine/rails.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-/// Exact at both ends, and where both numbers are the same.
-Interval between(const Interval& first, const Interval& last, const Interval& t)
+LegKind between(const LegKind& first, const LegKind& last, const Interval& t)
 {
-  if (first == last || t == Interval(0.0))
-    return first;
-  return t == Interval(1.0) ? last : first + t * (last - first);
+  return visitLeg(
+      [&](const auto& kind) -> LegKind { return between(kind, std::get<std::decay_t<decltype(kind)>>(last), t); },
+      first);
 }
 
-IntervalVector between(const IntervalVector& first, const IntervalVector& last, const Interval& t)
+/// Why no leg is between these; "" where each share has one.
+std::string differenceOfKinds(const LegKind& first, const LegKind& last)
 {
-  return { between(first[0], last[0], t), between(first[1], last[1], t), between(first[2], last[2], t) };
-}
-
-IntervalVector directionBetween(const IntervalVector& first, const IntervalVector& last, const Interval& t)
-{
-  const IntervalVector sum = between(first, last, t);
-  if (first == last || sum == first || sum == last)
-    return sum;
-  const Interval length = norm(sum);
-  if (!length.certainlyPositive())
-    throw std::invalid_argument("the rails of the two machines point in opposite directions");
-  return { sum[0] / length, sum[1] / length, sum[2] / length };
-}
-
-Leg between(const Leg& first, const Leg& last, const Interval& t)
-{
-  Leg leg = first;
-  leg.origin = between(first.origin, last.origin, t);
-  leg.axis = directionBetween(first.axis, last.axis, t);
-  leg.platform = between(first.platform, last.platform, t);
-  leg.length = between(first.length, last.length, t);
-  if (first.limits != last.limits)
-    leg.limits = Interval::entire();
-  return leg;
+  if (first.index() != last.index())
+    return "are of different kinds";
+  return visitLeg(
+      [&](const auto& kind) { return differenceOfModes(kind, std::get<std::decay_t<decltype(kind)>>(last)); }, first);
 }
 
 void validateEnds(const Machine& first, const Machine& last, bool joint_limits)
@@ -54,8 +35,9 @@ void validateEnds(const Machine& first, const Machine& last, bool joint_limits)
   for (int i = 0; i < 3; ++i)
   {
     const std::string legs = "legs '" + first.leg(i).joint + "' and '" + last.leg(i).joint + "' of the two machines ";
-    if (first.leg(i).working_mode != last.leg(i).working_mode)
-      problems.push_back(legs + "have opposite working modes");
+    const std::string difference = differenceOfKinds(first.leg(i).kind, last.leg(i).kind);
+    if (!difference.empty())
+      problems.push_back(legs + difference);
     if (joint_limits && first.leg(i).limits != last.leg(i).limits)
       problems.push_back(legs + "have different joint limits: leave joint limits off, or make them the same");
   }
@@ -88,9 +70,12 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
             });
             for (std::size_t i = 0; i < 3; ++i)
             {
-              legs[i] = between(first.legs()[i], last.legs()[i], t);
-              legs[i].direction = directions[i];
+              const Leg& leg = first.legs()[i];
+              const bool has_limits = leg.limits == last.legs()[i].limits;
+              legs[i] = { leg.joint, has_limits ? leg.limits : Interval::entire(),
+                          between(leg.kind, last.legs()[i].kind, t) };
             }
+            setDirections(legs, directions);
             const Eigen::Vector3d zero = first.zero() + t.mid() * (last.zero() - first.zero());
             Machine machine(first.name() + " to " + last.name(), legs, zero);
             if (machine.aspect() != first.aspect())

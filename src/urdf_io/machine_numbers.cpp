@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "pkm_workspace/machine/rails.h"
 #include "placement.h"
 
 namespace pkm_workspace
@@ -51,7 +52,7 @@ Vector3d nearestThat(const Vector3d& v, const Machine& machine, const Fits& fits
 /// Numbers for <axis>: rails that share one direction get the same ones, others get others.
 Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers, 3>& before)
 {
-  const IntervalVector& axis = machine.leg(i).axis;
+  const IntervalVector& axis = slidingStrut(machine.leg(i)).axis;
   const auto fits = [&](const Vector3d& candidate) {
     bool distinct = true;
     for (int j = 0; j < i; ++j)
@@ -75,24 +76,24 @@ std::pair<double, double> reachableTravel(const Machine& machine, int leg)
   std::array<Matrix3d, 3> projectors;
   for (int i = 0; i < 3; ++i)
   {
-    const Vector3d axis = mid(machine.leg(i).axis);
+    const Vector3d axis = mid(slidingStrut(machine.leg(i)).axis);
     projectors[static_cast<std::size_t>(i)] = Matrix3d::Identity() - axis * axis.transpose();
     m += projectors[static_cast<std::size_t>(i)];
     right_side += projectors[static_cast<std::size_t>(i)] * mid(machine.center(i));
   }
-  const double length = machine.leg(leg).length.mid();
-  const Vector3d axis = mid(machine.leg(leg).axis);
+  const double length = slidingStrut(machine.leg(leg)).length.mid();
+  const Vector3d axis = mid(slidingStrut(machine.leg(leg)).axis);
   if (Eigen::SelfAdjointEigenSolver<Matrix3d>(m).eigenvalues()[0] < 0.05)
     return { -length, length };
   const Matrix3d inverse = m.inverse();
   const Vector3d middle = inverse * right_side;
   double radius_squared = 0.0;
   for (int i = 0; i < 3; ++i)
-    radius_squared += std::pow(machine.leg(i).length.upper(), 2) -
+    radius_squared += std::pow(slidingStrut(machine.leg(i)).length.upper(), 2) -
                       (projectors[static_cast<std::size_t>(i)] * (middle - mid(machine.center(i)))).squaredNorm();
   const double radius = std::sqrt(std::max(0.0, radius_squared) * axis.dot(inverse * axis)) + 1e-6 * length;
   const double along = axis.dot(middle - mid(machine.center(leg)));
-  const double eta = machine.leg(leg).working_mode * length;
+  const double eta = slidingStrut(machine.leg(leg)).working_mode * length;
   return { along - radius - std::max(eta, 0.0), along + radius - std::min(eta, 0.0) };
 }
 
@@ -107,7 +108,7 @@ double roundNumber(double value, double length, double (*round)(double))
 void setLimits(const Machine& machine, int i, LegNumbers& numbers)
 {
   const Interval& own = machine.leg(i).limits;
-  const double length = machine.leg(i).length.mid();
+  const double length = slidingStrut(machine.leg(i)).length.mid();
   const auto travel = reachableTravel(machine, i);
   const double lowest = std::min(own.upper(), roundNumber(travel.first, length, std::floor));
   numbers.lower = std::isfinite(own.lower()) ? own.lower() : lowest;
@@ -155,9 +156,9 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
   std::array<LegNumbers, 3> all;
   for (int i = 0; i < 3; ++i)
   {
-    const Leg& leg = machine.leg(i);
+    const SlidingStrut& leg = slidingStrut(machine.leg(i));
     LegNumbers& numbers = all[static_cast<std::size_t>(i)];
-    numbers.joint = leg.joint;
+    numbers.joint = machine.leg(i).joint;
     numbers.origin = mid(leg.origin);
     numbers.platform = mid(leg.platform);
     numbers.axis = axisNumbers(machine, i, all);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pkm_workspace/machine/rails.h"
+
 namespace pkm_workspace
 {
 namespace urdf_io

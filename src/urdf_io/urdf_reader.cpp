@@ -32,16 +32,14 @@ std::string strutLink(const ClosedLeg& leg)
 
 Leg machineLeg(const Rail& rail, const ClosedLeg& closed)
 {
-  Leg leg;
-  leg.joint = rail.joint->name;
-  leg.origin = rail.slider.toOuter(closed.geometry.slider_point);
-  leg.axis = rail.axis;
-  leg.direction = rail.direction;
-  leg.platform = rail.slider.rotation * closed.geometry.platform;
-  leg.length = closed.geometry.length;
-  leg.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
-  leg.limits = Interval(rail.joint->limits->lower, rail.joint->limits->upper);
-  return leg;
+  SlidingStrut strut;
+  strut.origin = rail.slider.toOuter(closed.geometry.slider_point);
+  strut.axis = rail.axis;
+  strut.direction = rail.direction;
+  strut.platform = rail.slider.rotation * closed.geometry.platform;
+  strut.length = closed.geometry.length;
+  strut.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
+  return { rail.joint->name, Interval(rail.joint->limits->lower, rail.joint->limits->upper), strut };
 }
 
 /// The zero configuration has to show the working mode and the aspect beyond doubt.

@@ -25,8 +25,9 @@ Machine withModes(int modes)
   for (int i = 0; i < 3; ++i)
     if (modes >> i & 1)
     {
-      legs[static_cast<std::size_t>(i)].working_mode = -1;
-      legs[static_cast<std::size_t>(i)].origin = -1.0 * legs[static_cast<std::size_t>(i)].origin;
+      slidingStrut(legs[static_cast<std::size_t>(i)]).working_mode = -1;
+      slidingStrut(legs[static_cast<std::size_t>(i)]).origin =
+          -1.0 * slidingStrut(legs[static_cast<std::size_t>(i)]).origin;
     }
   return Machine("modes", legs, Vector3d::Zero());
 }
@@ -47,8 +48,8 @@ Machine meeting(unsigned seed)
   Machine::Legs legs = test::crooked(seed).legs();
   for (Leg& leg : legs)
   {
-    leg.origin = leg.platform = enclose(Vector3d::Zero());
-    leg.length = 1.0;
+    slidingStrut(leg).origin = slidingStrut(leg).platform = enclose(Vector3d::Zero());
+    slidingStrut(leg).length = 1.0;
   }
   return Machine("meeting_" + std::to_string(seed), legs, Vector3d::Zero());
 }
@@ -68,7 +69,8 @@ std::pair<Box, HalfSpace> nextToTheSphere(const Machine& machine, test::RandomBo
 {
   Vector3d direction(0.0, 0.0, 0.0);
   for (int i = 0; i < 3; ++i)
-    direction += random.between(0.1, 1.0) * machine.leg(i).working_mode * mid(machine.leg(i).axis);
+    direction +=
+        random.between(0.1, 1.0) * slidingStrut(machine.leg(i)).working_mode * mid(slidingStrut(machine.leg(i)).axis);
   direction.normalize();
   const double width = random.between(0.001, 0.1);
   const Vector3d center = (1.0 + random.between(-1.0, 1.0) * width) * direction;
@@ -140,14 +142,14 @@ TEST(StrutSphere, excessTellsTheSides)
 TEST(StrutSphere, machinesThatOnlyNearlyHaveOneHaveNone)
 {
   Machine::Legs longer = orthoglide().legs();
-  longer[0].length = 1.0 + 0x1p-52;
+  slidingStrut(longer[0]).length = 1.0 + 0x1p-52;
   Machine::Legs aside = orthoglide().legs();
-  aside[0].platform = enclose(Vector3d(0.0, 0x1p-60, 0x1p-60));
+  slidingStrut(aside[0]).platform = enclose(Vector3d(0.0, 0x1p-60, 0x1p-60));
   for (const auto& legs : { longer, aside })
     EXPECT_EQ(strutSpheres(Machine("nearly", legs, Vector3d::Zero())).size(), 1u) << "of the other two legs";
   Machine::Legs uncertain = orthoglide().legs();
   for (Leg& leg : uncertain)
-    leg.length = Interval(1.0, 1.0 + 0x1p-52);
+    slidingStrut(leg).length = Interval(1.0, 1.0 + 0x1p-52);
   EXPECT_TRUE(strutSpheres(Machine("uncertain", uncertain, Vector3d::Zero())).empty());
   EXPECT_TRUE(strutSpheres(uranesx()).empty());
   EXPECT_TRUE(strutSpheres(test::crooked(1)).empty());

@@ -94,12 +94,12 @@ TEST(MachineInFrame, enclosesTheTurnedGeometry)
     const auto legs = moved(pose, machine.legs);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      expectHolds(there.legs()[i].origin, legs[i].origin);
-      expectHolds(there.legs()[i].axis, legs[i].axis);
-      expectHolds(there.legs()[i].platform, legs[i].platform);
-      EXPECT_LE(there.legs()[i].axis[0].width(), 1e-14);
-      EXPECT_EQ(there.legs()[i].working_mode, machine.machine.legs()[i].working_mode);
-      EXPECT_EQ(there.legs()[i].length, machine.machine.legs()[i].length);
+      expectHolds(slidingStrut(there.legs()[i]).origin, legs[i].origin);
+      expectHolds(slidingStrut(there.legs()[i]).axis, legs[i].axis);
+      expectHolds(slidingStrut(there.legs()[i]).platform, legs[i].platform);
+      EXPECT_LE(slidingStrut(there.legs()[i]).axis[0].width(), 1e-14);
+      EXPECT_EQ(slidingStrut(there.legs()[i]).working_mode, slidingStrut(machine.machine.legs()[i]).working_mode);
+      EXPECT_EQ(slidingStrut(there.legs()[i]).length, slidingStrut(machine.machine.legs()[i]).length);
       EXPECT_EQ(there.legs()[i].limits, machine.machine.legs()[i].limits);
     }
     EXPECT_EQ(there.aspect(), machine.machine.aspect());
@@ -147,9 +147,9 @@ TEST(MachineInFrame, theIdentityGivesTheSameMachine)
       const Machine same = machineInFrame(machine.machine, Pose{ { 0.0, 0.0, 0.0, w }, Vector3d::Zero() });
       for (std::size_t i = 0; i < 3; ++i)
       {
-        EXPECT_EQ(same.legs()[i].origin, machine.machine.legs()[i].origin);
-        EXPECT_EQ(same.legs()[i].axis, machine.machine.legs()[i].axis);
-        EXPECT_EQ(same.legs()[i].platform, machine.machine.legs()[i].platform);
+        EXPECT_EQ(slidingStrut(same.legs()[i]).origin, slidingStrut(machine.machine.legs()[i]).origin);
+        EXPECT_EQ(slidingStrut(same.legs()[i]).axis, slidingStrut(machine.machine.legs()[i]).axis);
+        EXPECT_EQ(slidingStrut(same.legs()[i]).platform, slidingStrut(machine.machine.legs()[i]).platform);
       }
       EXPECT_EQ(same.zero(), machine.machine.zero());
       EXPECT_EQ(same.geometryHash(), machine.machine.geometryHash()) << machine.name << ", w = " << w;
@@ -165,9 +165,9 @@ TEST(MachineInFrame, turningBackEnclosesTheOriginal)
     back = machineInFrame(back, Pose{ { -q[0], -q[1], -q[2], q[3] }, Vector3d::Zero() });
     for (std::size_t i = 0; i < 3; ++i)
     {
-      EXPECT_TRUE(isSubset(machine.machine.legs()[i].origin, back.legs()[i].origin));
-      EXPECT_TRUE(isSubset(machine.machine.legs()[i].axis, back.legs()[i].axis));
-      EXPECT_TRUE(isSubset(machine.machine.legs()[i].platform, back.legs()[i].platform));
+      EXPECT_TRUE(isSubset(slidingStrut(machine.machine.legs()[i]).origin, slidingStrut(back.legs()[i]).origin));
+      EXPECT_TRUE(isSubset(slidingStrut(machine.machine.legs()[i]).axis, slidingStrut(back.legs()[i]).axis));
+      EXPECT_TRUE(isSubset(slidingStrut(machine.machine.legs()[i]).platform, slidingStrut(back.legs()[i]).platform));
     }
   });
 }
@@ -184,8 +184,8 @@ TEST(MachineInFrame, railsAreParallelIffTheyWereBefore)
 {
   const auto withLastAxis = [](const IntervalVector& axis) {
     Machine::Legs legs = uranesx().legs();
-    legs[2].axis = axis;
-    legs[2].working_mode = axis[2].certainlyPositive() ? -1 : 1;
+    slidingStrut(legs[2]).axis = axis;
+    slidingStrut(legs[2]).working_mode = axis[2].certainlyPositive() ? -1 : 1;
     return Machine("uranesx", legs, uranesx().zero());
   };
   forEachPose(10, [&](const ExactMachine&, const Pose& pose, Random&) {
@@ -200,7 +200,7 @@ TEST(MachineInFrame, railsAreParallelIffTheyWereBefore)
     EXPECT_FALSE(machineInFrame(nearly, pose).hasParallelRails());
   });
   const Pose about_z{ { 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5) }, Vector3d(1.0, 2.0, 3.0) };
-  EXPECT_EQ(machineInFrame(uranesx(), about_z).leg(1).axis, uranesx().leg(1).axis)
+  EXPECT_EQ(slidingStrut(machineInFrame(uranesx(), about_z).leg(1)).axis, slidingStrut(uranesx().leg(1)).axis)
       << "the rails are the axis of the turn";
 }
 

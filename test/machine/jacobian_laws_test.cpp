@@ -80,7 +80,7 @@ TEST_P(MachineLaws, transmissionFactorsBoundWhatAUnitVelocityAsksOfTheJoints)
 TEST_P(MachineLaws, singularityMeasuresAreThoseOfTheExactConfiguration)
 {
   forEachRegularPoint([this](const Vector3d& p, const ExactConfiguration& there, Random&) {
-    const SingularityMeasures got = singularityMeasures(machine(), *jacobians(machine(), p));
+    const SingularityMeasures got = singularityMeasures(*jacobians(machine(), p));
     const double tolerance = 40.0 * ulp(p) / (machine().scale() * serialMeasure(there));
     ASSERT_NEAR(got.serial, serialMeasure(there), tolerance);
     ASSERT_NEAR(got.parallel, parallelMeasure(there), tolerance);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/machine/rails.h"
 #include "support/exact_machines.h"
 #include "support/expect_throw.h"
 
@@ -42,25 +43,33 @@ struct Defect
 };
 
 const Defect DEFECTS[] = {
-  { "UnboundedOrigin", [](auto& legs, auto&) { legs[1].origin[2] = Interval(0.0, INF); },
+  { "UnboundedOrigin", [](auto& legs, auto&) { slidingStrut(legs[1]).origin[2] = Interval(0.0, INF); },
     "leg 'rail_y': rail origin, axis and platform point must be finite" },
-  { "UnboundedPlatform", [](auto& legs, auto&) { legs[2].platform[0] = Interval::entire(); },
+  { "UnboundedPlatform", [](auto& legs, auto&) { slidingStrut(legs[2]).platform[0] = Interval::entire(); },
     "leg 'rail_z': .*finite" },
-  { "UnboundedAxis", [](auto& legs, auto&) { legs[0].axis[0] = Interval(1.0, INF); }, "leg 'rail_x': .*finite" },
-  { "EmptyOrigin", [](auto& legs, auto&) { legs[0].origin[0] = Interval::empty(); }, "leg 'rail_x': .*finite" },
-  { "LongAxis", [](auto& legs, auto&) { legs[0].axis[0] = 1.5; },
+  { "UnboundedAxis", [](auto& legs, auto&) { slidingStrut(legs[0]).axis[0] = Interval(1.0, INF); },
+    "leg 'rail_x': .*finite" },
+  { "EmptyOrigin", [](auto& legs, auto&) { slidingStrut(legs[0]).origin[0] = Interval::empty(); },
+    "leg 'rail_x': .*finite" },
+  { "LongAxis", [](auto& legs, auto&) { slidingStrut(legs[0]).axis[0] = 1.5; },
     R"(leg 'rail_x': the axis must have unit length, its squared length is \[2\.25, 2\.25\])" },
-  { "ZeroAxis", [](auto& legs, auto&) { legs[0].axis[0] = 0.0; }, R"(unit length, its squared length is \[0, 0\])" },
-  { "ZeroLength", [](auto& legs, auto&) { legs[1].length = 0.0; },
+  { "ZeroAxis", [](auto& legs, auto&) { slidingStrut(legs[0]).axis[0] = 0.0; },
+    R"(unit length, its squared length is \[0, 0\])" },
+  { "ZeroLength", [](auto& legs, auto&) { slidingStrut(legs[1]).length = 0.0; },
     R"(leg 'rail_y': strut length \[0, 0\] m must be from 1e-9 m to 1e9 m)" },
-  { "TinyLength", [](auto& legs, auto&) { legs[1].length = 4.7e-107; }, "length .*4.7e-107.* from 1e-9 m to 1e9 m" },
-  { "HugeLength", [](auto& legs, auto&) { legs[1].length = 1e200; }, "length .*1e.200.* from 1e-9 m to 1e9 m" },
-  { "FarOrigin", [](auto& legs, auto&) { legs[0].origin[1] = -2e9; }, "leg 'rail_x': .* must be within 1e9 m" },
-  { "FarPlatform", [](auto& legs, auto&) { legs[2].platform[1] = 2e9; }, "leg 'rail_z': .* must be within 1e9 m" },
+  { "TinyLength", [](auto& legs, auto&) { slidingStrut(legs[1]).length = 4.7e-107; },
+    "length .*4.7e-107.* from 1e-9 m to 1e9 m" },
+  { "HugeLength", [](auto& legs, auto&) { slidingStrut(legs[1]).length = 1e200; },
+    "length .*1e.200.* from 1e-9 m to 1e9 m" },
+  { "FarOrigin", [](auto& legs, auto&) { slidingStrut(legs[0]).origin[1] = -2e9; },
+    "leg 'rail_x': .* must be within 1e9 m" },
+  { "FarPlatform", [](auto& legs, auto&) { slidingStrut(legs[2]).platform[1] = 2e9; },
+    "leg 'rail_z': .* must be within 1e9 m" },
   { "FarZero", [](auto&, auto& zero) { zero.x() = 2e9; }, "the tool point must be finite, within 1e9 m" },
-  { "NegativeLength", [](auto& legs, auto&) { legs[1].length = -2.0; }, R"(strut length \[-2, -2\] m)" },
-  { "UnboundedLength", [](auto& legs, auto&) { legs[1].length = Interval(1.0, INF); }, R"(strut length \[1, inf\] m)" },
-  { "WorkingMode", [](auto& legs, auto&) { legs[2].working_mode = 0; },
+  { "NegativeLength", [](auto& legs, auto&) { slidingStrut(legs[1]).length = -2.0; }, R"(strut length \[-2, -2\] m)" },
+  { "UnboundedLength", [](auto& legs, auto&) { slidingStrut(legs[1]).length = Interval(1.0, INF); },
+    R"(strut length \[1, inf\] m)" },
+  { "WorkingMode", [](auto& legs, auto&) { slidingStrut(legs[2]).working_mode = 0; },
     R"(leg 'rail_z': working mode 0 must be \+1 or -1)" },
   { "NoLimits", [](auto& legs, auto&) { legs[0].limits = Interval::empty(); },
     "leg 'rail_x': the joint limits leave no value" },
@@ -73,14 +82,14 @@ const Defect DEFECTS[] = {
   { "Serial",
     [](auto& legs, auto& zero) {
       for (auto& leg : legs)
-        leg.length = 5.0;
+        slidingStrut(leg).length = 5.0;
       zero = { 0.0, 3.0, 4.0 };
     },
     R"(leg 'rail_x': its strut is across its rail at zero \(serial singularity\))" },
   { "Parallel",
     [](auto& legs, auto& zero) {
       for (auto& leg : legs)
-        leg.length = 3.0;
+        slidingStrut(leg).length = 3.0;
       zero = { 1.0, 2.0, 2.0 };
     },
     R"(det A = 0 \(parallel singularity\))" },
@@ -107,9 +116,9 @@ INSTANTIATE_TEST_SUITE_P(All, MachineRefusal, testing::ValuesIn(DEFECTS),
 TEST(MachineRefusal, namesAllDefectsAtOnce)
 {
   const Change change = [](Machine::Legs& legs, Vector3d& zero) {
-    legs[0].axis = { 2.0, 0.0, 0.0 };
-    legs[1].length = -1.0;
-    legs[2].working_mode = 3;
+    slidingStrut(legs[0]).axis = { 2.0, 0.0, 0.0 };
+    slidingStrut(legs[1]).length = -1.0;
+    slidingStrut(legs[2]).working_mode = 3;
     zero.z() = INF;
   };
   expectThrow<std::invalid_argument>(
@@ -136,7 +145,7 @@ TEST(MachineHash, isTheSameInEveryProcessAndRelease)
 TEST(MachineHash, doesNotDependOnTheSignOfZeroOrTheLocale)
 {
   const std::string expected = orthoglide().geometryHash();
-  const Machine negative = changed([](Machine::Legs& legs, Vector3d&) { legs[0].axis[1] = -0.0; });
+  const Machine negative = changed([](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[0]).axis[1] = -0.0; });
   EXPECT_EQ(negative.geometryHash(), expected) << "-0 is 0";
   struct Comma : std::numpunct<char>
   {
@@ -154,15 +163,17 @@ TEST(MachineHash, changesWithEveryNumber)
 {
   const Change changes[] = {
     [](Machine::Legs&, Vector3d&) {},
-    [](Machine::Legs& legs, Vector3d&) { legs[0].origin[0] = std::nextafter(-1.0, 0.0); },
-    [](Machine::Legs& legs, Vector3d&) { legs[0].origin[0] = Interval(std::nextafter(-1.0, -2.0), -1.0); },
-    [](Machine::Legs& legs, Vector3d&) { legs[2].platform[1] = 1e-300; },
-    [](Machine::Legs& legs, Vector3d&) { legs[1].axis[1] = Interval(1.0, std::nextafter(1.0, 2.0)); },
-    [](Machine::Legs& legs, Vector3d&) { legs[1].length = std::nextafter(1.0, 2.0); },
+    [](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[0]).origin[0] = std::nextafter(-1.0, 0.0); },
+    [](Machine::Legs& legs, Vector3d&) {
+      slidingStrut(legs[0]).origin[0] = Interval(std::nextafter(-1.0, -2.0), -1.0);
+    },
+    [](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[2]).platform[1] = 1e-300; },
+    [](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[1]).axis[1] = Interval(1.0, std::nextafter(1.0, 2.0)); },
+    [](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[1]).length = std::nextafter(1.0, 2.0); },
     [](Machine::Legs& legs, Vector3d&) { legs[1].limits = Interval(-1.0, INF); },
     [](Machine::Legs& legs, Vector3d&) { legs[2].limits = Interval(-1.0, INF); },
     [](Machine::Legs& legs, Vector3d&) { legs[2].limits = Interval(-INF, 1.0); },
-    [](Machine::Legs& legs, Vector3d&) { legs[2].working_mode = -1; },
+    [](Machine::Legs& legs, Vector3d&) { slidingStrut(legs[2]).working_mode = -1; },
     [](Machine::Legs&, Vector3d& zero) { zero = Vector3d::Constant(-0.546); },
     [](Machine::Legs& legs, Vector3d&) { std::swap(legs[0], legs[1]); },
   };
@@ -177,7 +188,7 @@ Machine::Legs uranesxLegsRounded()
 {
   Machine::Legs legs = uranesx().legs();
   for (Leg& leg : legs)
-    leg.axis = { 0.0, Interval(0x1p-60, 0x1p-59), Interval(std::nextafter(1.0, 0.0), 1.0) };
+    slidingStrut(leg).axis = { 0.0, Interval(0x1p-60, 0x1p-59), Interval(std::nextafter(1.0, 0.0), 1.0) };
   return legs;
 }
 
@@ -186,11 +197,11 @@ Machine uranesxWithDirections(const std::array<int, 3>& directions)
   Machine::Legs legs = uranesxLegsRounded();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    legs[i].direction = directions[i];
+    slidingStrut(legs[i]).direction = directions[i];
     if (directions[i] < 0)
     {
-      legs[i].axis = { 0.0, -legs[i].axis[1], -legs[i].axis[2] };
-      legs[i].working_mode = 1;
+      slidingStrut(legs[i]).axis = { 0.0, -slidingStrut(legs[i]).axis[1], -slidingStrut(legs[i]).axis[2] };
+      slidingStrut(legs[i]).working_mode = 1;
     }
   }
   return Machine("uranesx", legs, uranesx().zero());
@@ -217,13 +228,13 @@ TEST(Machine, legsThatShareADirectionShareWhatIsKnownOfIt)
 {
   Machine::Legs legs = uranesxLegsRounded();
   for (Leg& leg : legs)
-    leg.direction = 1;
-  legs[1].axis[1] = Interval(0x1p-60, 0x1.8p-60);
-  legs[2].axis[1] = Interval(0x1.4p-60, 0x1p-59);
+    slidingStrut(leg).direction = 1;
+  slidingStrut(legs[1]).axis[1] = Interval(0x1p-60, 0x1.8p-60);
+  slidingStrut(legs[2]).axis[1] = Interval(0x1.4p-60, 0x1p-59);
   const Machine machine("uranesx", legs, uranesx().zero());
   for (const Leg& leg : machine.legs())
-    EXPECT_EQ(leg.axis[1], Interval(0x1.4p-60, 0x1.8p-60));
-  legs[2].axis[1] = Interval(0x1p-58, 0x1p-57);
+    EXPECT_EQ(slidingStrut(leg).axis[1], Interval(0x1.4p-60, 0x1.8p-60));
+  slidingStrut(legs[2]).axis[1] = Interval(0x1p-58, 0x1p-57);
   expectThrow<std::invalid_argument>([&] { Machine("uranesx", legs, uranesx().zero()); },
                                      "'rail_1' and 'rail_3' are said to share a direction, but their axes are apart");
 }
@@ -235,8 +246,8 @@ TEST(Machine, railsAreParallelWhereTheirExactDirectionsAreTheSame)
   EXPECT_FALSE(crookedMachine("crooked", 3).machine.hasParallelRails());
   const auto withLastAxis = [](const IntervalVector& axis) {
     Machine::Legs legs = uranesx().legs();
-    legs[2].axis = axis;
-    legs[2].working_mode = axis[2].certainlyPositive() ? -1 : 1;
+    slidingStrut(legs[2]).axis = axis;
+    slidingStrut(legs[2]).working_mode = axis[2].certainlyPositive() ? -1 : 1;
     return Machine("uranesx", legs, uranesx().zero());
   };
   EXPECT_TRUE(withLastAxis({ 0.0, 0.0, -1.0 }).hasParallelRails()) << "one rail counts downwards";
@@ -250,7 +261,8 @@ TEST(Machine, knowsItsScaleAndWhetherJointsAreLimited)
   EXPECT_TRUE(changed([](auto& legs, auto&) { legs[2].limits = Interval(-INF, 1.0); }).hasJointLimits());
   EXPECT_EQ(orthoglide(0.31058).scale(), 0.31058);
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_EQ(changed([i](auto& legs, auto&) { legs[i].length = Interval(1.25, 1.5); }).scale(), 1.5) << i;
+    EXPECT_EQ(changed([i](auto& legs, auto&) { slidingStrut(legs[i]).length = Interval(1.25, 1.5); }).scale(), 1.5)
+        << i;
 }
 
 TEST(Machine, hasNoConfigurationOverASetThatReachesTooFar)

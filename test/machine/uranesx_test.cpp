@@ -108,10 +108,10 @@ TEST(UraneSX, enclosesItsFractionsAndRoots)
   const Machine machine = uranesx();
   const Exact radius = Exact(7.0) / 13.0;
   const Exact half_root = sqrt(Exact(3.0)) / 2.0;
-  EXPECT_TRUE(radius.mayLieIn(machine.leg(0).origin[0]));
-  EXPECT_TRUE((-radius * half_root).mayLieIn(machine.leg(2).origin[1]));
-  EXPECT_TRUE((-(Exact(3.0) / 26.0) / 2.0).mayLieIn(machine.leg(1).platform[0]));
-  EXPECT_LE(machine.leg(1).origin[1].width(), 4.0 * std::numeric_limits<double>::epsilon());
+  EXPECT_TRUE(radius.mayLieIn(slidingStrut(machine.leg(0)).origin[0]));
+  EXPECT_TRUE((-radius * half_root).mayLieIn(slidingStrut(machine.leg(2)).origin[1]));
+  EXPECT_TRUE((-(Exact(3.0) / 26.0) / 2.0).mayLieIn(slidingStrut(machine.leg(1)).platform[0]));
+  EXPECT_LE(slidingStrut(machine.leg(1)).origin[1].width(), 4.0 * std::numeric_limits<double>::epsilon());
 }
 
 TEST(UraneSX, refusesRadiiWithoutAMachine)

@@ -29,7 +29,7 @@ inline Machine nearlyParallel()
   Machine::Legs legs = uranesx().legs();
   const IntervalVector direction = enclose(Eigen::Vector3d(1e-6, 0.0, 1.0));
   const Interval length = norm(direction);
-  legs[0].axis = { direction[0] / length, direction[1] / length, direction[2] / length };
+  slidingStrut(legs[0]).axis = { direction[0] / length, direction[1] / length, direction[2] / length };
   return Machine("nearly_parallel", legs, uranesx().zero());
 }
 

@@ -185,7 +185,7 @@ TEST(RegionQuery, refusesWhatHasNoBound)
 
   Machine::Legs legs = uranesx().legs();
   const Interval length = norm(IntervalVector{ 1e-9, 0.0, 1.0 });
-  legs[0].axis = { Interval(1e-9) / length, 0.0, Interval(1.0) / length };
+  slidingStrut(legs[0]).axis = { Interval(1e-9) / length, 0.0, Interval(1.0) / length };
   const Machine nearly("nearly parallel", legs, uranesx().zero());
   query.shape = makeSquare();
   test::expectThrow<Unbounded>([&] { findLargestRegion(nearly, query); }, "parallel.*longer than 1000 struts$");

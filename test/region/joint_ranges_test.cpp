@@ -39,13 +39,13 @@ Found search(const Machine& machine, int leg, const Shape& shape, const Eigen::V
   };
   using Wide = Eigen::Matrix<long double, 3, 1>;
   const Wide c = mid(machine.center(leg)).cast<long double>();
-  const Wide e = mid(machine.leg(leg).axis).cast<long double>().normalized();
-  const long double length = machine.leg(leg).length.mid();
+  const Wide e = mid(slidingStrut(machine.leg(leg)).axis).cast<long double>().normalized();
+  const long double length = slidingStrut(machine.leg(leg)).length.mid();
   const auto rhoAt = [&](const Eigen::Vector3d& point) {
     const Wide x = point.cast<long double>() - c;
     const long double along = e.dot(x);
     const long double radicand = length * length - (x - along * e).squaredNorm();
-    return along - machine.leg(leg).working_mode * std::sqrt(std::max(0.0L, radicand));
+    return along - slidingStrut(machine.leg(leg)).working_mode * std::sqrt(std::max(0.0L, radicand));
   };
   const auto best = [&](int sign) {
     Eigen::Vector3d at = center;

@@ -31,11 +31,11 @@ inline Machine withParallelRails(unsigned seed)
     const double radius = random.uniform(0.43, 0.52);
     const double sign = random.sign();
     legs[i].joint = "rail_" + std::to_string(i + 1);
-    legs[i].axis = { 0.0, 0.0, sign };
-    legs[i].origin = { radius * std::cos(angle), radius * std::sin(angle), random.uniform(-0.2, 0.2) };
-    legs[i].platform = { 0.0, 0.0, 0.0 };
-    legs[i].length = random.uniform(0.9, 1.1);
-    legs[i].working_mode = sign > 0.0 ? -1 : 1;
+    slidingStrut(legs[i]).axis = { 0.0, 0.0, sign };
+    slidingStrut(legs[i]).origin = { radius * std::cos(angle), radius * std::sin(angle), random.uniform(-0.2, 0.2) };
+    slidingStrut(legs[i]).platform = { 0.0, 0.0, 0.0 };
+    slidingStrut(legs[i]).length = random.uniform(0.9, 1.1);
+    slidingStrut(legs[i]).working_mode = sign > 0.0 ? -1 : 1;
   }
   const Machine free("parallel_" + std::to_string(seed), legs, Eigen::Vector3d::Zero());
   const auto zero = *configurationAt(free, Eigen::Vector3d::Zero());
@@ -50,8 +50,8 @@ inline Machine withoutSharedDirection(const Machine& machine)
   Machine::Legs legs = machine.legs();
   for (Leg& leg : legs)
   {
-    leg.direction = 0;
-    Interval& z = leg.axis[2];
+    slidingStrut(leg).direction = 0;
+    Interval& z = slidingStrut(leg).axis[2];
     if (z.isSingle())
       z = z.lower() > 0.0 ? Interval(std::nextafter(1.0, 0.0), 1.0) : Interval(-1.0, std::nextafter(-1.0, 0.0));
   }

@@ -2,6 +2,7 @@
 // Parallel rails with joint limits: places are searched, centers are proved. Held against the search over all centers,
 // for a machine with the same numbers that is not known to have parallel rails, and against an oracle.
 #include "pkm_workspace/region/rail_travel.h"
+#include "pkm_workspace/machine/rails.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "pkm_workspace/region/region_height.h"
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/machine/rails.h"
 #include "region/parallel_rails.h"
 
 namespace pkm_workspace
@@ -45,7 +46,7 @@ bool expectStandsNearZero(const Machine& machine, const RegionQuery& query)
   const LargestRegion region = expectProven(machine, query);
   SCOPED_TRACE(machine.name() + ", " + query.shape->name());
   const int axis = mainAxisOfRails(machine);
-  const double way = (machine.zero() - region.center)[axis] * mid(machine.leg(0).axis)[axis];
+  const double way = (machine.zero() - region.center)[axis] * mid(slidingStrut(machine.leg(0)).axis)[axis];
   const Interval travel = travelOf(machine, region);
   if (way != 0.0)
   {
@@ -82,7 +83,7 @@ TEST(RegionHeight, isThatOfTheMiddleOfTheSearchBoxWhereTheLimitsLeaveIt)
   EXPECT_EQ(expectProven(machine, query).center.z(), query.search_box->center().z());
   query.search_box = Box{ Vector3d(-1.0, -1.0, -3.0), Vector3d(1.0, 1.0, 5.0) };  // its middle is beyond the travel
   const Interval travel = travelOf(machine, expectProven(machine, query));
-  EXPECT_LE(mid(machine.leg(0).axis).z() > 0.0 ? travel.upper() : -travel.lower(), 1e-6);
+  EXPECT_LE(mid(slidingStrut(machine.leg(0)).axis).z() > 0.0 ? travel.upper() : -travel.lower(), 1e-6);
 }
 }  // namespace test
 }  // namespace pkm_workspace

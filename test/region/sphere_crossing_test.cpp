@@ -108,10 +108,10 @@ TEST(SphereCrossing, whatIsNotExactlyZeroMayBePassed)
   for (const double longer : { -0.02, 0.02 })
   {
     for (Leg& leg : legs)
-      leg.length = 1.0;
-    legs[0].platform = enclose(Vector3d(0.0, longer, 0.0));
-    legs[1].platform = enclose(Vector3d(0.0, 0.0, longer));
-    legs[2].platform = enclose(Vector3d(longer, 0.0, 0.0));
+      slidingStrut(leg).length = 1.0;
+    slidingStrut(legs[0]).platform = enclose(Vector3d(0.0, longer, 0.0));
+    slidingStrut(legs[1]).platform = enclose(Vector3d(0.0, 0.0, longer));
+    slidingStrut(legs[2]).platform = enclose(Vector3d(longer, 0.0, 0.0));
     const Machine machine("shifted", legs, Vector3d::Zero());
     const Vector3d low = Vector3d::Constant(0.55);
     const Vector3d high = Vector3d::Constant(0.6);

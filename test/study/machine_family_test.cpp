@@ -15,12 +15,12 @@ void expectEnclosed(const Machine& inner, const Machine& outer)
 {
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_TRUE(inner.leg(i).length.isSubsetOf(outer.leg(i).length));
+    EXPECT_TRUE(slidingStrut(inner.leg(i)).length.isSubsetOf(slidingStrut(outer.leg(i)).length));
     for (std::size_t k = 0; k < 3; ++k)
     {
-      EXPECT_TRUE(inner.leg(i).origin[k].isSubsetOf(outer.leg(i).origin[k]));
-      EXPECT_TRUE(inner.leg(i).axis[k].isSubsetOf(outer.leg(i).axis[k]));
-      EXPECT_TRUE(inner.leg(i).platform[k].isSubsetOf(outer.leg(i).platform[k]));
+      EXPECT_TRUE(slidingStrut(inner.leg(i)).origin[k].isSubsetOf(slidingStrut(outer.leg(i)).origin[k]));
+      EXPECT_TRUE(slidingStrut(inner.leg(i)).axis[k].isSubsetOf(slidingStrut(outer.leg(i)).axis[k]));
+      EXPECT_TRUE(slidingStrut(inner.leg(i)).platform[k].isSubsetOf(slidingStrut(outer.leg(i)).platform[k]));
     }
   }
 }
@@ -51,7 +51,7 @@ TEST(MachineFamily, bothEndsAreTheGivenMachines)
   EXPECT_EQ(family.at(Interval(1.0)).geometryHash(), last.geometryHash());
   const Machine middle = family.at(Interval(0.5));
   for (int i = 0; i < 3; ++i)
-    EXPECT_TRUE(squaredNorm(middle.leg(i).axis).contains(1.0));
+    EXPECT_TRUE(squaredNorm(slidingStrut(middle.leg(i)).axis).contains(1.0));
 }
 
 TEST(MachineFamily, whatHasNoWayBetweenIsRefused)
@@ -73,7 +73,7 @@ TEST(MachineFamily, railsThatOnlyLookParallelTogetherAreKeptApart)
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double z = std::sqrt(1.0 - tilts[i] * tilts[i]);
-      legs[i].axis = { Interval(tilts[i]), Interval(0.0), Interval(z, std::nextafter(z, 2.0)) };
+      slidingStrut(legs[i]).axis = { Interval(tilts[i]), Interval(0.0), Interval(z, std::nextafter(z, 2.0)) };
     }
     return Machine("tilted", legs, uranesx().zero());
   };

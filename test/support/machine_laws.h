@@ -75,7 +75,7 @@ protected:
   {
     double extent = p.norm() + machine().scale();
     for (int i = 0; i < 3; ++i)
-      extent += mid(machine().leg(i).origin).norm();
+      extent += mid(slidingStrut(machine().leg(i)).origin).norm();
     return extent * std::numeric_limits<double>::epsilon();
   }
 

@@ -24,12 +24,12 @@ inline Machine crooked(unsigned seed, double scale = 1.0, const Eigen::Vector3d&
   Machine::Legs legs = orthoglide(scale).legs();
   for (Leg& leg : legs)
   {
-    const IntervalVector direction = enclose(Eigen::Vector3d(mid(leg.axis) + vector(0.09)));
+    const IntervalVector direction = enclose(Eigen::Vector3d(mid(slidingStrut(leg).axis) + vector(0.09)));
     const Interval length = norm(direction);
-    leg.axis = { direction[0] / length, direction[1] / length, direction[2] / length };
-    leg.length = scale * (1.0 + 0.15 * uniform(generator));
-    leg.platform = enclose(vector(0.1 * scale));
-    leg.origin = leg.origin + enclose(place);
+    slidingStrut(leg).axis = { direction[0] / length, direction[1] / length, direction[2] / length };
+    slidingStrut(leg).length = scale * (1.0 + 0.15 * uniform(generator));
+    slidingStrut(leg).platform = enclose(vector(0.1 * scale));
+    slidingStrut(leg).origin = slidingStrut(leg).origin + enclose(place);
   }
   return Machine("crooked_" + std::to_string(seed), legs, place);
 }
@@ -40,10 +40,10 @@ inline Machine cone()
   Machine::Legs legs = uranesx(Interval(0.7), Interval(0.1)).legs();
   for (Leg& leg : legs)
   {
-    const Eigen::Vector3d outward = mid(leg.origin).normalized();
+    const Eigen::Vector3d outward = mid(slidingStrut(leg).origin).normalized();
     const IntervalVector direction = enclose(Eigen::Vector3d(0.5 * outward + 0.87 * Eigen::Vector3d::UnitZ()));
     const Interval length = norm(direction);
-    leg.axis = { direction[0] / length, direction[1] / length, direction[2] / length };
+    slidingStrut(leg).axis = { direction[0] / length, direction[1] / length, direction[2] / length };
   }
   return Machine("cone", legs, Eigen::Vector3d(0.0, 0.0, -0.8));
 }

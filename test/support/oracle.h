@@ -116,7 +116,7 @@ private:
   /// The middle of the axis enclosure, made a unit vector.
   Vector axisOf(int i) const
   {
-    const IntervalVector& axis = machine_.leg(i).axis;
+    const IntervalVector& axis = slidingStrut(machine_.leg(i)).axis;
     Vector e = { axis[0].mid(), axis[1].mid(), axis[2].mid() };
     const Number length = sqrt(dot(e, e));
     for (Number& entry : e)
@@ -133,18 +133,18 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
       offset[k] = point[k] - machine_.center(i)[k].mid();
     const Number along = dot(e, offset);
-    const Number length = leg.length.mid();
+    const Number length = slidingStrut(leg).length.mid();
     const Number radicand = length * length - (dot(offset, offset) - along * along);
     if (radicand < 0)
       return false;
-    eta = leg.working_mode * sqrt(radicand);
+    eta = slidingStrut(leg).working_mode * sqrt(radicand);
     const Number rho = along - eta;
     for (std::size_t k = 0; k < 3; ++k)
       strut[k] = offset[k] - rho * e[k];
     return !criterion_.joint_limits || (rho >= leg.limits.lower() && rho <= leg.limits.upper());
   }
 
-  Number length(int i) const { return machine_.leg(i).length.mid(); }
+  Number length(int i) const { return slidingStrut(machine_.leg(i)).length.mid(); }
 
   Number across(int i, const Vector& point) const
   {

@@ -14,11 +14,11 @@ inline void expectSameGeometry(const Machine& a, const Machine& b)
 {
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_EQ(a.leg(i).origin, b.leg(i).origin) << "leg " << i;
-    EXPECT_EQ(a.leg(i).axis, b.leg(i).axis) << "leg " << i;
-    EXPECT_EQ(a.leg(i).platform, b.leg(i).platform) << "leg " << i;
-    EXPECT_EQ(a.leg(i).length, b.leg(i).length) << "leg " << i;
-    EXPECT_EQ(a.leg(i).working_mode, b.leg(i).working_mode) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).origin, slidingStrut(b.leg(i)).origin) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).axis, slidingStrut(b.leg(i)).axis) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).platform, slidingStrut(b.leg(i)).platform) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).length, slidingStrut(b.leg(i)).length) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).working_mode, slidingStrut(b.leg(i)).working_mode) << "leg " << i;
   }
   EXPECT_EQ(a.aspect(), b.aspect());
 }
@@ -28,11 +28,11 @@ inline void expectOverlap(const Machine& a, const Machine& b)
 {
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_TRUE(intersects(a.leg(i).origin, b.leg(i).origin)) << "leg " << i;
-    EXPECT_TRUE(intersects(a.leg(i).axis, b.leg(i).axis)) << "leg " << i;
-    EXPECT_TRUE(intersects(a.leg(i).platform, b.leg(i).platform)) << "leg " << i;
-    EXPECT_TRUE(a.leg(i).length.intersects(b.leg(i).length)) << "leg " << i;
-    EXPECT_EQ(a.leg(i).working_mode, b.leg(i).working_mode) << "leg " << i;
+    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).origin, slidingStrut(b.leg(i)).origin)) << "leg " << i;
+    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).axis, slidingStrut(b.leg(i)).axis)) << "leg " << i;
+    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).platform, slidingStrut(b.leg(i)).platform)) << "leg " << i;
+    EXPECT_TRUE(slidingStrut(a.leg(i)).length.intersects(slidingStrut(b.leg(i)).length)) << "leg " << i;
+    EXPECT_EQ(slidingStrut(a.leg(i)).working_mode, slidingStrut(b.leg(i)).working_mode) << "leg " << i;
   }
   EXPECT_EQ(a.aspect(), b.aspect());
 }
@@ -43,8 +43,8 @@ inline double widest(const Machine& machine)
   double width = 0.0;
   for (const Leg& leg : machine.legs())
   {
-    width = std::max(width, leg.length.width());
-    for (const auto* const vector : { &leg.origin, &leg.axis, &leg.platform })
+    width = std::max(width, slidingStrut(leg).length.width());
+    for (const auto* const vector : { &slidingStrut(leg).origin, &slidingStrut(leg).axis, &slidingStrut(leg).platform })
       for (const Interval& entry : *vector)
         width = std::max(width, entry.width());
   }

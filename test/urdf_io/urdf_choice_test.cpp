@@ -32,7 +32,7 @@ TEST(UrdfChoice, theDeepestTripleCounts)
   const UrdfMachine read = readUrdf(rich(), { { "rail_x", "rail_y", "rail_z" }, {} });
   EXPECT_EQ(read.tcp_links, (Links{ "tip_of_tool_1", "tip_of_tool_2", "tip_of_tool_3" }));
   EXPECT_EQ(read.machine.zero(), Eigen::Vector3d(0.0, 0.0, -0.25));
-  EXPECT_EQ(read.machine.leg(0).platform, (IntervalVector{ 0.0, 0.0, 0.25 }));
+  EXPECT_EQ(slidingStrut(read.machine.leg(0)).platform, (IntervalVector{ 0.0, 0.0, 0.25 }));
 }
 
 TEST(UrdfChoice, linksThatCoincideOnOneLegOnlyDoNotDeepenATriple)
@@ -59,7 +59,7 @@ TEST(UrdfChoice, namesSettleIt)
   const UrdfMachine read = readUrdf(rich(), { { "rail_z", "rail_x", "rail_y" }, { "tcp_2", "tip_3", "tcp_1" } });
   EXPECT_EQ(read.tcp_links, (Links{ "tip_3", "tcp_1", "tcp_2" }));
   EXPECT_EQ(read.machine.leg(0).joint, "rail_z");
-  EXPECT_EQ(read.machine.leg(1).axis, (IntervalVector{ 1.0, 0.0, 0.0 }));
+  EXPECT_EQ(slidingStrut(read.machine.leg(1)).axis, (IntervalVector{ 1.0, 0.0, 0.0 }));
   EXPECT_EQ(read.machine.zero(), Eigen::Vector3d::Zero());
 }
 

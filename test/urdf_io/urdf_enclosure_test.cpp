@@ -100,11 +100,12 @@ void expectEncloses(const Leg& leg, const RandomLeg& random, const Vector3d& mou
   const ExactMatrix slider = mount * exactRotation(random.rpy);
   const Exact axis = random.axis.cast<Number>();
   const Exact strut = random.strut.cast<Number>();
-  expectContains(leg.origin, mount_at.cast<Number>() + mount * random.origin.cast<Number>());
-  expectContains(leg.axis, slider * (axis / sqrt(Number(axis.dot(axis)))));
-  expectContains(leg.platform, -(slider * random.tcp.cast<Number>()));
+  expectContains(slidingStrut(leg).origin, mount_at.cast<Number>() + mount * random.origin.cast<Number>());
+  expectContains(slidingStrut(leg).axis, slider * (axis / sqrt(Number(axis.dot(axis)))));
+  expectContains(slidingStrut(leg).platform, -(slider * random.tcp.cast<Number>()));
   const Number length = sqrt(Number(strut.dot(strut)));
-  EXPECT_TRUE(leg.length.lower() <= length && length <= leg.length.upper()) << leg.length << " and " << length;
+  EXPECT_TRUE(slidingStrut(leg).length.lower() <= length && length <= slidingStrut(leg).length.upper())
+      << slidingStrut(leg).length << " and " << length;
 }
 
 /// The UraneSX with other numbers for the axes of its rails.
@@ -149,13 +150,13 @@ TEST(UrdfEnclosure, mountsByQuartersAndShiftsKeepExactNumbers)
   // The rails' own numbers are exact; a shift by doubles leaves them so, and a turn by the decimals of pi is none by
   // pi.
   const Machine machine = readUrdf(mounted(writeUrdf(orthoglide()), "xyz=\"8 -4 0.5\"")).machine;
-  EXPECT_EQ(machine.leg(2).origin, (IntervalVector{ 8.0, -4.0, -0.5 }));
-  EXPECT_EQ(machine.leg(2).axis, (IntervalVector{ 0.0, 0.0, 1.0 }));
+  EXPECT_EQ(slidingStrut(machine.leg(2)).origin, (IntervalVector{ 8.0, -4.0, -0.5 }));
+  EXPECT_EQ(slidingStrut(machine.leg(2)).axis, (IntervalVector{ 0.0, 0.0, 1.0 }));
   EXPECT_EQ(machine.zero(), Vector3d(8.0, -4.0, 0.5));
   const Machine turned = readUrdf(mounted(writeUrdf(orthoglide()), "rpy=\"0 0 1.5707963267948966\"")).machine;
-  EXPECT_EQ(turned.leg(2).axis, (IntervalVector{ 0.0, 0.0, 1.0 }));
-  EXPECT_TRUE(turned.leg(0).axis[0].certainlyPositive()) << "the double is below pi / 2";
-  EXPECT_LE(turned.leg(0).axis[0].upper(), 6.2e-17);
+  EXPECT_EQ(slidingStrut(turned.leg(2)).axis, (IntervalVector{ 0.0, 0.0, 1.0 }));
+  EXPECT_TRUE(slidingStrut(turned.leg(0)).axis[0].certainlyPositive()) << "the double is below pi / 2";
+  EXPECT_LE(slidingStrut(turned.leg(0)).axis[0].upper(), 6.2e-17);
 }
 
 TEST(UrdfEnclosure, parallelRailsHaveTheSameNumbers)
@@ -173,8 +174,8 @@ TEST(UrdfEnclosure, railsAgainstEachOtherAreParallelToo)
   urdf = withJoint(urdf, "rail_2", "axis xyz=\"0 0 1\"", "axis xyz=\"0 0 -2\"");
   const Machine machine = readUrdf(mounted(urdf, "rpy=\"1 1 1\"")).machine;
   EXPECT_TRUE(machine.hasParallelRails());
-  EXPECT_EQ(machine.leg(1).working_mode, 1);
-  EXPECT_EQ(machine.leg(2).working_mode, -1);
+  EXPECT_EQ(slidingStrut(machine.leg(1)).working_mode, 1);
+  EXPECT_EQ(slidingStrut(machine.leg(2)).working_mode, -1);
 }
 
 TEST(UrdfEnclosure, railsTurnedAboutTheirOwnDirectionAreParallel)
@@ -206,8 +207,8 @@ TEST(UrdfEnclosure, railsThatOnlyLookParallelShareNoDirection)
 {
   // The last axes differ, yet doubles enclose their directions by the same numbers.
   const Machine nearly = withAxes({ "1 0.13 7.4", "1 0.13 7.4", "1 0.13 7.4000000000000012" }, "");
-  EXPECT_EQ(nearly.leg(0).direction, nearly.leg(1).direction);
-  EXPECT_EQ(nearly.leg(2).direction, 0);
+  EXPECT_EQ(slidingStrut(nearly.leg(0)).direction, slidingStrut(nearly.leg(1)).direction);
+  EXPECT_EQ(slidingStrut(nearly.leg(2)).direction, 0);
   EXPECT_FALSE(withAxes({ "1 0.13 7.4", "1 0.13 7.4", "1 0.13 7.4000000000000012" }, "").hasParallelRails());
   EXPECT_FALSE(
       withAxes({ "1 0.13 7.4", "1 0.13 7.4000000000000012", "-1 -0.13 -7.4000000000000012" }, "").hasParallelRails());

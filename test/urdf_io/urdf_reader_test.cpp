@@ -55,7 +55,7 @@ TEST(UrdfReader, takesAxesOfAnyLength)
 TEST(UrdfReader, enclosesAxesThatAreNoDoubles)
 {
   const auto urdf = withJoint(good(), "rail_x", "axis xyz=\"1 0 0\"", "axis xyz=\"3e200 4e200 0\"");
-  const IntervalVector axis = readUrdf(urdf).machine.leg(0).axis;
+  const IntervalVector axis = slidingStrut(readUrdf(urdf).machine.leg(0)).axis;
   // 3/5 and 4/5 lie between these neighbours.
   EXPECT_TRUE(Interval(0.6, 0.6000000000000001).intersects(axis[0]));
   EXPECT_TRUE(Interval(0.8, 0.8000000000000002).intersects(axis[1]));
@@ -114,9 +114,9 @@ TEST(UrdfReader, findsWhereAxesMeetThatAreHingedApart)
   urdf = withJoint(urdf, "parallelogram_back_1", "xyz=\"1 0 0\"", "xyz=\"1 0 -0.5\"");
   urdf = withJoint(urdf, "revolute_back_1", "xyz=\"0 0 0\"", "xyz=\"0 -0.25 0\"");
   const UrdfMachine read = readUrdf(urdf);
-  EXPECT_EQ(read.machine.leg(0).origin, vector(-1.0, 0.25, 0.0));
-  EXPECT_EQ(read.machine.leg(0).platform, vector(0.0, 0.25, 0.0));
-  EXPECT_EQ(read.machine.leg(0).length, Interval(1.0));
+  EXPECT_EQ(slidingStrut(read.machine.leg(0)).origin, vector(-1.0, 0.25, 0.0));
+  EXPECT_EQ(slidingStrut(read.machine.leg(0)).platform, vector(0.0, 0.25, 0.0));
+  EXPECT_EQ(slidingStrut(read.machine.leg(0)).length, Interval(1.0));
   EXPECT_EQ(read.machine.center(0), unit().center(0));
   EXPECT_TRUE(read.warnings.empty());
 }
@@ -144,10 +144,10 @@ TEST(UrdfReader, growsTheMachineWhereAxesMeetOnlyNearly)
   const UrdfMachine read = readUrdf(urdf);
   const Leg& leg = read.machine.leg(0);
   for (const double x : { -1.0, -0.999999 })
-    EXPECT_TRUE(leg.origin[0].contains(x));
+    EXPECT_TRUE(slidingStrut(leg).origin[0].contains(x));
   for (const double length : { 1.0, 0.999999 })
-    EXPECT_TRUE(leg.length.contains(length));
-  EXPECT_LE(leg.length.width(), 1e-5);
+    EXPECT_TRUE(slidingStrut(leg).length.contains(length));
+  EXPECT_LE(slidingStrut(leg).length.width(), 1e-5);
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_NE(read.warnings[0].find("leg of rail 'rail_x': the axes of passive joints meet only to 1e-06 m"),
             std::string::npos)
@@ -159,11 +159,11 @@ TEST(UrdfReader, growsTheMachineWhereAWristUndoesOnlyNearly)
   auto urdf = withJoint(good(), "tcp_joint_1", "xyz=\"0 0 0\"", "xyz=\"0 0 -0.5\"");
   urdf = withJoint(urdf, "parallelogram_back_1", "xyz=\"1 0 0\"", "xyz=\"1 0 0\" rpy=\"0 0 0\"");
   urdf = withJoint(urdf, "rail_x", "xyz=\"-1 0 0\"", "xyz=\"-1 0 0.5\"");
-  EXPECT_EQ(readUrdf(urdf).machine.leg(0).platform, vector(0.0, 0.0, 0.5));
+  EXPECT_EQ(slidingStrut(readUrdf(urdf).machine.leg(0)).platform, vector(0.0, 0.0, 0.5));
   urdf = withJoint(urdf, "revolute_back_1", "axis xyz=\"0 1 0\"", "axis xyz=\"0 1 1e-6\"");
   const UrdfMachine read = readUrdf(urdf);
   // The platform may turn by 2e-6 rad at most: b moves by 1e-6 m.
-  const IntervalVector& b = read.machine.leg(0).platform;
+  const IntervalVector& b = slidingStrut(read.machine.leg(0)).platform;
   EXPECT_TRUE(Interval(-1e-6, 1e-6).isSubsetOf(b[0]));
   EXPECT_TRUE(b[0].isSubsetOf(Interval(-1.1e-6, 1.1e-6)));
   ASSERT_EQ(read.warnings.size(), 1u);
@@ -190,9 +190,9 @@ TEST(UrdfReader, readsQuarterTurnsOfFourDecimals)
   urdf = withJoint(urdf, "parallelogram_back_2", "origin xyz=\"0 1 0\"", "origin xyz=\"1 0 0\"");
   const UrdfMachine read = readUrdf(urdf);
   EXPECT_TRUE(read.warnings.empty());
-  EXPECT_EQ(read.machine.leg(1).length, Interval(1.0));
-  EXPECT_NEAR(read.machine.leg(1).axis[0].mid(), -3.67e-6, 1e-8);
-  EXPECT_LE(read.machine.leg(1).axis[0].width(), 1e-20);
+  EXPECT_EQ(slidingStrut(read.machine.leg(1)).length, Interval(1.0));
+  EXPECT_NEAR(slidingStrut(read.machine.leg(1)).axis[0].mid(), -3.67e-6, 1e-8);
+  EXPECT_LE(slidingStrut(read.machine.leg(1)).axis[0].width(), 1e-20);
 }
 
 TEST(UrdfReader, warnsOfWhatIsNotUsed)

@@ -153,7 +153,7 @@ TEST(UrdfWriter, writesAMachineWhereItsJointsAreZero)
 
   Machine::Legs legs = orthoglide().legs();
   for (Leg& leg : legs)
-    leg.origin = Interval(-3.0) * leg.axis;
+    slidingStrut(leg).origin = Interval(-3.0) * slidingStrut(leg).axis;
   expectThrow<std::invalid_argument>([&] { writeUrdf(Machine("far", legs, Eigen::Vector3d::Zero())); },
                                      "machine 'far' cannot be written as a URDF: with all joints at 0 m no tool point");
 }

@@ -65,5 +65,6 @@ constexpr double NO_MARGIN = 1e300;
 //                                       before it in the list hold
 //     scalarOr(form, power, exist, alternative())  as scalar; or all of the alternative forms are positive
 //   visitScalar(place, visitor)  of conditions that bound no factors, the same in scalar() only
+//   static steepest(criterion)  encloses the largest |n_i| / b_i that it allows in any leg, or nothing: bounds follow
 //   margin(place)  how far the point is within the condition, without unit, in floating point
 }  // namespace pkm_workspace

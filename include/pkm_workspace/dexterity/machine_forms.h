@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "pkm_workspace/interval/definiteness.h"
-#include "pkm_workspace/machine/leg_kinds.h"
+#include "pkm_workspace/machine/leg_forms.h"
+#include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
@@ -39,17 +40,17 @@ template <class Real>
 class LegModels
 {
 public:
-  /// @param largest_factor encloses psi_max where one is asked for
-  LegModels(const Machine& machine, const std::optional<Interval>& largest_factor)
+  /// @param steepest encloses the largest |n| / b that is asked for, or nothing
+  LegModels(const Machine& machine, const std::optional<Interval>& steepest)
     : squared_scale_(machine.scale() * machine.scale())
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const EnclosedLeg leg = enclosedLeg(machine, static_cast<int>(i));
+      const EnclosedLeg& leg = machine.enclosed(static_cast<int>(i));
       forms_[i] = ofForms<Real>(leg);
       numbers_[i] = plain<Real>(forms_[i]);
-      if (largest_factor)
-        floors_[i] = Real((pkm_workspace::squaredRow(leg) / sqr(*largest_factor)).lower());
+      if (steepest)
+        floors_[i] = Real((pkm_workspace::squaredRow(leg) / sqr(*steepest)).lower());
     }
   }
 

@@ -10,6 +10,7 @@
 #include "pkm_workspace/dexterity/conditions/largest_factor.h"
 #include "pkm_workspace/dexterity/conditions/least_factor.h"
 #include "pkm_workspace/dexterity/conditions/reach.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 
 namespace pkm_workspace
 {
@@ -20,6 +21,17 @@ template <class Real>
 using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, LargestFactor<Real>, LeastFactor<Real>,
                               ConditionNumber<Real>, AspectSign<Real>>;
 
+/// The least steepest() of these conditions.
+template <class... Each>
+std::optional<Interval> steepestOf(const Criterion& criterion, const std::tuple<Each...>* /*conditions*/)
+{
+  std::optional<Interval> least;
+  for (const std::optional<Interval>& each : { Each::steepest(criterion)... })
+    if (each && (!least || each->upper() < least->upper()))
+      least = each;
+  return least;
+}
+
 /// A machine and a criterion, prepared for the evaluation of boxes. Real is double, a pack of doubles or a
 /// multi-precision type. Thread-safe: constant after construction.
 template <class Real>
@@ -29,11 +41,11 @@ public:
   /// @throws std::invalid_argument when the criterion is not valid
   MachineModel(const Machine& machine, const Criterion& criterion)
     : criterion_(validated(criterion))
-    , legs_(machine, criterion.boundsAbove() ? std::make_optional(criterion.largestFactor()) : std::nullopt)
+    , legs_(machine, steepest(criterion))
     , conditions_(makeConditions(machine, criterion, static_cast<Conditions<Real>*>(nullptr)))
   {
     for (std::size_t axis = 0; machine.hasParallelRails() && axis < 3; ++axis)
-      if (abs(machine.leg(0).axis[axis]) == Interval(1.0))
+      if (abs(directionOfRails(machine)[axis]) == Interval(1.0))
         axis_of_rails_ = static_cast<int>(axis);
   }
 

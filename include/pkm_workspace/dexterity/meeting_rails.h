@@ -32,8 +32,9 @@ struct MeetingRails
     IntervalMatrix w;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const Interval mode(machine.legs()[i].working_mode);
-      w[i] = mode * machine.legs()[i].axis;
+      const SlidingStrut& strut = slidingStrut(machine.legs()[i]);
+      const Interval mode(strut.working_mode);
+      w[i] = mode * strut.axis;
       sign[i] = Enclosed<Real>(mode);
     }
     const auto unit = [](int axis) { return enclose(Eigen::Vector3d::Unit(axis)); };

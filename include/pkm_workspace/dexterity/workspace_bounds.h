@@ -2,21 +2,19 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
-/// Encloses the largest |q| of a leg at which it can satisfy the criterion: its points lie in a cylinder around a line
-/// along the rail (paper, section 4.2; with the margin that psi_max gives) [m].
-Interval cylinderRadius(const Leg& leg, const Criterion& criterion);
-
-/// Encloses the vectors q of that length: |q_k| <= |q| sqrt(1 - e_k^2), because q is across e [m].
-IntervalVector offsetAcross(const Machine& machine, int leg, const Interval& radius);
+/// Encloses the largest |n_i| / b_i that the conditions of the criterion allow in any leg; nothing where none of them
+/// bounds it. Legs tell their outer bounds by it.
+std::optional<Interval> steepest(const Criterion& criterion);
 
 /// The joint limits that the criterion asks for and a point may reach that satisfies the rest of it [m]: an end is
-/// infinite where the reach of the three struts, with the margin that psi_max gives, proves that it does. The set of
+/// infinite where the reach of the three legs, with the margin that psi_max gives, proves that it does. The set of
 /// the criterion is the same with these limits.
 std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& criterion);
 
@@ -26,6 +24,9 @@ Box boundsOfSet(const Machine& machine, const Criterion& criterion);
 
 /// Whether nothing changes along the rails: they are parallel, and no joint limit is asked for.
 bool slidesAlongRails(const Machine& machine, const Criterion& criterion);
+
+/// The direction of parallel rails: that of the first.
+const IntervalVector& directionOfRails(const Machine& machine);
 
 /// The axis of coordinates (0, 1 or 2) that parallel rails run along most.
 int mainAxisOfRails(const Machine& machine);

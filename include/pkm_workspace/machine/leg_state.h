@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pkm_workspace/interval/plain_vector.h"
+
 namespace pkm_workspace
 {
 /// One leg where the tool stands at p: the row n and the number b of n . pdot = b qdot, where q is the leg's joint
@@ -11,5 +13,12 @@ struct LegState
   Vector row;            ///< n, a row of the parallel Jacobian A [m]
   Number squared_drive;  ///< b^2 [m^2]; nowhere negative where the leg reaches
   Number drive;          ///< b, an entry of the serial Jacobian B [m]; valid where the leg reaches
+};
+
+/// A leg at a point, in floating point.
+struct LegNumbers
+{
+  LegState<double, PlainVector<double>> state;
+  double joint;  ///< q [m]
 };
 }  // namespace pkm_workspace

@@ -3,48 +3,22 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "pkm_workspace/interval/box.h"
 #include "pkm_workspace/interval/interval_vector.h"
+#include "pkm_workspace/machine/leg.h"
 
 namespace pkm_workspace
 {
-/// One leg (paper, section 3.1): a slider on a rail, and a strut (a parallelogram, so that the platform never turns)
-/// from the slider point A to the platform point B. Lengths [m], all in the machine's root frame.
-struct Leg
-{
-  std::string joint = "";                ///< name of the prismatic joint
-  IntervalVector origin;                 ///< a: slider point A at joint value 0 [m]
-  IntervalVector axis;                   ///< e: unit direction of the rail
-  IntervalVector platform;               ///< b: platform point B seen from the tool point P [m]
-  Interval length = 1.0;                 ///< L: strut length |AB| [m]
-  int working_mode = 1;                  ///< s: sign of eta = (strut vector) . e, +1 or -1
-  Interval limits = Interval::entire();  ///< values that the prismatic joint may take [m]
-  /// Rails that are known to share one direction have the same number here, or the opposite one where they point
-  /// against each other. 0: no more is known than the axis.
-  int direction = 0;
-};
-
-/// 1 where two rails are known to have the same direction, -1 for the opposite one, otherwise 0: their numbers say so,
-/// or both axes are exact. Enclosures that are the same are no reason.
-int parallelSense(const Leg& a, const Leg& b);
-
-/// Numbers for Leg::direction. @param sense what parallelSense() is to be for legs i and j < i
-std::array<int, 3> sharedDirections(const std::function<int(std::size_t i, std::size_t j)>& sense);
-/// The same for legs that are to keep the directions that these share, when they are turned all together.
-std::array<int, 3> sharedDirections(const std::array<Leg, 3>& legs);
-
 /// The geometry of a translational machine with three legs: a value, immutable once made.
 ///
 /// Every number is an enclosure of the exact number it stands for (mostly of zero or one-ulp width). Legs that
 /// share a direction have one enclosure of it.
 ///
-/// Formulas (docs/theory.md; paper, section 3.2), with c = a - b and p the tool point:
-///   q = (I - e e^T)(p - c),  eta = s sqrt(L^2 - |q|^2),  strut d = q + eta e,  rho = e^T (p - c) - eta,
-///   A pdot = B rhodot with A = rows d^T, B = diag(eta), J^-1 = B^-1 A.
+/// Formulas (docs/theory.md; paper, section 3.2): A pdot = B qdot, where a leg with its joint value q gives a row n of
+/// A and an entry b of the diagonal B (leg_state.h), and J^-1 = B^-1 A. For sliding struts n = d, b = eta and q = rho.
 /// Thread-safe: it is never written to after construction.
 class Machine
 {
@@ -62,19 +36,19 @@ public:
   const std::string& name() const { return name_; }
   const Legs& legs() const { return legs_; }
   const Leg& leg(int i) const { return legs_[static_cast<std::size_t>(i)]; }
-  /// c = a - b of leg i [m].
-  const IntervalVector& center(int i) const { return centers_[static_cast<std::size_t>(i)]; }
-  /// I - e e^T of leg i.
-  const IntervalMatrix& projector(int i) const { return projectors_[static_cast<std::size_t>(i)]; }
+  /// Leg i, prepared for its formulas.
+  const EnclosedLeg& enclosed(int i) const { return enclosed_[static_cast<std::size_t>(i)]; }
+  /// The point c of leg i [m]: its formulas depend on p - c.
+  const IntervalVector& center(int i) const;
   /// Tool point of the zero configuration [m].
   const Eigen::Vector3d& zero() const { return zero_; }
   /// Sign of det A in the machine's own aspect: +1 or -1.
   int aspect() const { return aspect_; }
-  /// Whether the three rails are known to be parallel: then nothing but the joint values changes along them.
+  /// Whether all three legs are known to slide in one direction: then nothing but the joint values changes along it.
   bool hasParallelRails() const;
   /// Whether any joint has a limit.
   bool hasJointLimits() const;
-  /// The largest strut length, rounded up [m]: the scale of everything.
+  /// The largest length of a leg, rounded up [m]: the scale of everything.
   double scale() const;
   /// A name for exactly this geometry, limits, working mode and aspect included: a UUID (version 5).
   std::string geometryHash() const;
@@ -84,8 +58,7 @@ private:
   std::string name_;
   Legs legs_;
   Eigen::Vector3d zero_;
-  std::array<IntervalVector, 3> centers_;
-  std::array<IntervalMatrix, 3> projectors_;
+  std::array<EnclosedLeg, 3> enclosed_;
   int aspect_ = 1;
 };
 
@@ -129,11 +102,11 @@ std::optional<Jacobians> jacobians(const Machine& machine, const Eigen::Vector3d
 Eigen::Vector3d transmissionFactors(const Jacobians& jacobians);
 
 /// How near a configuration is to the singularities of section 3.2 of the paper, without units:
-/// serial = min |eta_i| / L_i and parallel = |det A| / (L_1 L_2 L_3), both in [0, 1], 0 at the singularity.
+/// serial = min |b_i| / |n_i| and parallel = |det A| / (|n_1| |n_2| |n_3|), both in [0, 1], 0 at the singularity.
 struct SingularityMeasures
 {
   double serial;
   double parallel;
 };
-SingularityMeasures singularityMeasures(const Machine& machine, const Jacobians& jacobians);
+SingularityMeasures singularityMeasures(const Jacobians& jacobians);
 }  // namespace pkm_workspace

@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pkm_workspace/interval/affine_vector.h"
-#include "pkm_workspace/interval/plain_vector.h"
-#include "pkm_workspace/machine/leg_state.h"
-#include "pkm_workspace/machine/machine.h"
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "pkm_workspace/common/problems.h"
+#include "pkm_workspace/interval/interval_vector.h"
+#include "pkm_workspace/machine/leg_bounds.h"
 
 namespace pkm_workspace
 {
-/// A strut of fixed length on a slider, as its formulas need it, in the constants of one arithmetic (docs/theory.md;
-/// paper, section 3.2). Row is what dotOffset() takes for a vector.
-template <class Number, class Vector, class Matrix, class Row>
+/// A kind of leg (paper, section 3.1): a slider on a rail, and a strut of fixed length (a parallelogram, so that the
+/// platform never turns) from the slider point A to the platform point B. Its joint value moves the slider. Lengths
+/// [m], all in the machine's root frame. The formulas are in sliding_strut_forms.h.
 struct SlidingStrut
+{
+  IntervalVector origin;    ///< a: slider point A at joint value 0 [m]
+  IntervalVector axis;      ///< e: unit direction of the rail
+  IntervalVector platform;  ///< b: platform point B seen from the tool point P [m]
+  Interval length = 1.0;    ///< L: strut length |AB| [m]
+  int working_mode = 1;     ///< s: sign of eta = (strut vector) . e, +1 or -1
+  /// Rails that are known to share one direction have the same number here, or the opposite one where they point
+  /// against each other. 0: no more is known than the axis.
+  int direction = 0;
+};
+
+/// A sliding strut as its formulas need it, in the constants of one arithmetic (docs/theory.md; paper, section 3.2).
+/// Row is what dotOffset() takes for a vector.
+template <class Number, class Vector, class Matrix, class Row>
+struct StrutConstants
 {
   Matrix projector;       ///< I - e e^T
   Row along;              ///< e
@@ -21,76 +40,65 @@ struct SlidingStrut
   Number sign;            ///< s, the working mode
 };
 
-using EnclosedStrut = SlidingStrut<Interval, IntervalVector, IntervalMatrix, IntervalVector>;
-template <class Real>
-using StrutOfForms = SlidingStrut<Enclosed<Real>, EnclosedVector<Real>, EnclosedMatrix<Real>, EnclosedMatrix<Real>>;
-template <class Real>
-using PlainStrut = SlidingStrut<Real, PlainVector<Real>, PlainMatrix<Real>, PlainVector<Real>>;
+struct EnclosedStrut : StrutConstants<Interval, IntervalVector, IntervalMatrix, IntervalVector>
+{
+  Interval length;  ///< L [m]
+};
 
-/// What the machine says of a leg.
-inline EnclosedStrut enclosedStrut(const Machine& machine, int i)
-{
-  const Leg& leg = machine.leg(i);
-  return { machine.projector(i), leg.axis, machine.center(i), leg.axis, sqr(leg.length), Interval(leg.working_mode) };
-}
+EnclosedStrut enclosed(const SlidingStrut& strut);
 
-/// For affine forms in a type Real.
-template <class Real>
-StrutOfForms<Real> ofForms(const EnclosedStrut& strut)
+// What a machine asks of each kind of leg.
+
+/// Collects what is wrong with the leg by itself.
+void validate(const SlidingStrut& strut, const std::string& place, Problems& problems);
+/// Its numbers, digit by digit: legs with the same text are the same.
+std::string exactText(const SlidingStrut& strut);
+/// The same leg in the frame where a point p is R p + t.
+SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation);
+/// The leg at a share t of the way from one to the other: exact at both ends, and where both numbers are the same.
+/// @throws std::invalid_argument where there is none between
+SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const Interval& t);
+/// Why no leg is between these; "" where each share has one.
+std::string differenceOfModes(const SlidingStrut& first, const SlidingStrut& last);
+/// The line along which the tool may move with nothing changed but the joint value, which it changes as much.
+inline const IntervalVector* slideOf(const SlidingStrut& strut)
 {
-  return { EnclosedMatrix<Real>(strut.projector),
-           EnclosedMatrix<Real>(IntervalMatrix{ strut.along, IntervalVector{}, IntervalVector{} }),
-           EnclosedVector<Real>(strut.center),
-           EnclosedVector<Real>(strut.axis),
-           Enclosed<Real>(strut.squared_length),
-           Enclosed<Real>(strut.sign) };
-}
-template <class Real, class Other>
-StrutOfForms<Real> ofForms(const StrutOfForms<Other>& strut)
-{
-  return { EnclosedMatrix<Real>(strut.projector), EnclosedMatrix<Real>(strut.along),
-           EnclosedVector<Real>(strut.center),    EnclosedVector<Real>(strut.axis),
-           Enclosed<Real>(strut.squared_length),  Enclosed<Real>(strut.sign) };
+  return &strut.axis;
 }
 
-/// Rounded: for finding points, not for proving anything.
-template <class Real>
-PlainStrut<Real> plain(const StrutOfForms<Real>& strut)
-{
-  return { strut.projector.value, strut.along.value[0],       strut.center.value,
-           strut.axis.value,      strut.squared_length.value, strut.sign.value };
-}
+/// For logs: "strut 0.5 m".
+std::string describe(const SlidingStrut& strut);
 
-/// The leg as far as it goes without a root, where the tool stands at the point or the points p:
-/// q = (I - e e^T)(p - c), which becomes the row, and b^2 = L^2 - |q|^2.
-template <class... Constants, class Points, class State>
-inline void evaluateAcross(const SlidingStrut<Constants...>& strut, const Points& p, State& state)
-{
-  mapOffset(strut.projector, strut.center, p, state.row);
-  state.squared_drive = strut.squared_length - squaredNorm(state.row);
-}
+// What bounds follow from a leg by itself, for all of its working mode. @param steepest encloses the largest |n| / b
+// that is asked for, or nothing
 
-/// The whole leg: b = eta = s sqrt(b^2), and n is the strut d = q + eta e.
-/// @param root the arithmetic's square root, which settles what becomes of negative numbers
-template <class... Constants, class Points, class Root, class State>
-inline void evaluate(const SlidingStrut<Constants...>& strut, const Points& p, const Root& root, State& state)
+/// What its size is measured by [m].
+inline const Interval& lengthOf(const EnclosedStrut& strut)
 {
-  evaluateAcross(strut, p, state);
-  state.drive = strut.sign * root(state.squared_drive);
-  addAlong(state.row, state.drive, strut.axis);
+  return strut.length;
 }
+/// The points that it can reach.
+OuterBound outerBound(const EnclosedStrut& strut, const std::optional<Interval>& steepest);
+/// b there [m].
+Interval driveRange(const EnclosedStrut& strut, const std::optional<Interval>& steepest);
+/// The joint values there [m]. @param along encloses u . p over the points that count
+Interval jointRange(const EnclosedStrut& strut, const std::optional<Interval>& steepest,
+                    const std::function<Interval(const IntervalVector& u)>& along);
+/// Encloses the points with these joint values [m].
+IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints,
+                            const std::optional<Interval>& steepest);
+/// Encloses what the leg's reach is measured by at p, and the most that it may be [m]: |q| and L.
+LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p);
+/// Bounds the volume in which the joint value lies in an interval of that width, of those points that the leg reaches
+/// [m^3].
+Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width);
 
-/// n^2 = L^2.
-template <class Number, class... Constants>
-inline const Number& squaredRow(const SlidingStrut<Number, Constants...>& strut)
-{
-  return strut.squared_length;
-}
+// In floating point.
 
-/// The joint value rho = e . (p - c) - eta [m].
-template <class... Constants, class Points, class State>
-inline auto jointOf(const SlidingStrut<Constants...>& strut, const Points& p, const State& state)
-{
-  return dotOffset(strut.along, strut.center, p) - state.drive;
-}
+/// The sphere on which the tool is when the joint has this value [m].
+LegSphere sphereAt(const EnclosedStrut& strut, double joint);
+/// The point that the joint moves: the slider A [m].
+Eigen::Vector3d drivenPoint(const SlidingStrut& strut, double joint);
+/// Whether a row n of the parallel Jacobian belongs to the leg's working mode.
+bool isInMode(const EnclosedStrut& strut, const Eigen::Vector3d& row);
 }  // namespace pkm_workspace

@@ -14,6 +14,7 @@ class AspectSign
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
 
   AspectSign(const Machine& machine, const Criterion& criterion)
     : is_asked_(criterion.aspect != Criterion::Aspect::BOTH)

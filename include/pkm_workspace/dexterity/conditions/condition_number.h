@@ -15,6 +15,7 @@ class ConditionNumber
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
 
   ConditionNumber(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsCondition())

@@ -12,6 +12,7 @@ class JointLimits
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
 
   JointLimits(const Machine& machine, const Criterion& criterion)
   {

@@ -13,6 +13,10 @@ class LargestFactor
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
+  static std::optional<Interval> steepest(const Criterion& criterion)
+  {
+    return criterion.boundsAbove() ? std::make_optional(criterion.largestFactor()) : std::nullopt;
+  }
 
   LargestFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsAbove())

@@ -13,6 +13,7 @@ class LeastFactor
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
 
   LeastFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsBelow())

@@ -12,6 +12,7 @@ class Reach
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
 
   Reach(const Machine& /*machine*/, const Criterion& criterion) : is_implied_(criterion.boundsAbove()) {}
   template <class Other>

@@ -3,34 +3,17 @@
 
 #include <variant>
 
-#include "pkm_workspace/machine/sliding_strut.h"
+#include "pkm_workspace/machine/leg.h"
+#include "pkm_workspace/machine/sliding_strut_forms.h"
 
 namespace pkm_workspace
 {
-// The kinds of legs there are: one row here and one file for each, which defines the functions below for it.
-
-/// A leg as its machine gives it, in intervals; for affine forms; and in floating point.
-using EnclosedLeg = std::variant<EnclosedStrut>;
+/// A leg for affine forms, and in floating point: one row for each kind, and one file, which defines the functions
+/// below for it.
 template <class Real>
 using LegOfForms = std::variant<StrutOfForms<Real>>;
 template <class Real>
 using PlainLeg = std::variant<PlainStrut<Real>>;
-
-inline EnclosedLeg enclosedLeg(const Machine& machine, int leg)
-{
-  return enclosedStrut(machine, leg);
-}
-
-/// Calls the function with the leg as what it is. As std::visit(), whose exception must not be compiled for one
-/// instruction set and kept by the linker for all.
-template <std::size_t I = 0, class Function, class... Kinds>
-inline decltype(auto) visitLeg(const Function& function, const std::variant<Kinds...>& leg)
-{
-  if constexpr (I + 1 < sizeof...(Kinds))
-    if (leg.index() != I)
-      return visitLeg<I + 1>(function, leg);
-  return function(*std::get_if<I>(&leg));
-}
 
 template <class Real, class... Kinds>
 LegOfForms<Real> ofForms(const std::variant<Kinds...>& leg)

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <variant>
+
+#include "pkm_workspace/machine/sliding_strut.h"
+
+namespace pkm_workspace
+{
+// The kinds of legs there are: a row here and one in leg_forms.h, and the files that sliding_strut.h, .cpp and
+// sliding_strut_forms.h show.
+
+/// What a leg is made of, and the same prepared for its formulas in intervals.
+using LegKind = std::variant<SlidingStrut>;
+using EnclosedLeg = std::variant<EnclosedStrut>;
+
+/// One leg: its joint, and what carries the platform.
+struct Leg
+{
+  std::string joint = "";                ///< name of the actuated joint
+  Interval limits = Interval::entire();  ///< values that it may take [m]
+  LegKind kind = SlidingStrut();
+};
+
+/// Calls the function with the leg as what it is. As std::visit(), whose exception must not be compiled for one
+/// instruction set and kept by the linker for all.
+template <std::size_t I = 0, class Function, class... Kinds>
+inline decltype(auto) visitLeg(const Function& function, const std::variant<Kinds...>& leg)
+{
+  if constexpr (I + 1 < sizeof...(Kinds))
+    if (leg.index() != I)
+      return visitLeg<I + 1>(function, leg);
+  return function(*std::get_if<I>(&leg));
+}
+
+// What every kind tells of a leg: see sliding_strut.h.
+
+inline Interval lengthOf(const EnclosedLeg& leg)
+{
+  return visitLeg([](const auto& kind) { return lengthOf(kind); }, leg);
+}
+inline OuterBound outerBound(const EnclosedLeg& leg, const std::optional<Interval>& steepest)
+{
+  return visitLeg([&](const auto& kind) { return outerBound(kind, steepest); }, leg);
+}
+inline Interval driveRange(const EnclosedLeg& leg, const std::optional<Interval>& steepest)
+{
+  return visitLeg([&](const auto& kind) { return driveRange(kind, steepest); }, leg);
+}
+inline IntervalVector pointsWithin(const EnclosedLeg& leg, const Interval& joints,
+                                   const std::optional<Interval>& steepest)
+{
+  return visitLeg([&](const auto& kind) { return pointsWithin(kind, joints, steepest); }, leg);
+}
+inline LegReach reachAt(const EnclosedLeg& leg, const IntervalVector& p)
+{
+  return visitLeg([&](const auto& kind) { return reachAt(kind, p); }, leg);
+}
+inline LegSphere sphereAt(const EnclosedLeg& leg, double joint)
+{
+  return visitLeg([joint](const auto& kind) { return sphereAt(kind, joint); }, leg);
+}
+inline Eigen::Vector3d drivenPoint(const Leg& leg, double joint)
+{
+  return visitLeg([joint](const auto& kind) { return drivenPoint(kind, joint); }, leg.kind);
+}
+
+/// The leg as a sliding strut. @throws std::invalid_argument naming the leg where it is of another kind
+SlidingStrut& slidingStrut(Leg& leg);
+const SlidingStrut& slidingStrut(const Leg& leg);
+}  // namespace pkm_workspace

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "pkm_workspace/interval/interval_vector.h"
+
+namespace pkm_workspace
+{
+/// Points p with |E (p - c)| <= r, for a projector E: a cylinder about a line, or for E = I a ball.
+struct OuterBound
+{
+  IntervalMatrix projector;  ///< E
+  IntervalVector center;     ///< c [m]
+  Interval radius;           ///< r [m]
+
+  /// Encloses the vectors E (p - c): |q_k| <= r sqrt(E_kk) [m].
+  IntervalVector offsets() const;
+};
+
+/// How far a leg has to reach [m].
+struct LegReach
+{
+  Interval value;
+  Interval most;
+};
+
+/// [m]
+struct LegSphere
+{
+  Eigen::Vector3d center;
+  double radius;
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "pkm_workspace/interval/interval_vector.h"
+
+namespace pkm_workspace
+{
+/// Lengths of legs [m], and coordinates of their points: products of a dozen of them stay ordinary numbers.
+constexpr double SHORTEST = 1e-9;
+constexpr double LARGEST = 1e9;
+
+inline bool isBounded(const IntervalVector& v)
+{
+  return v[0].isBounded() && v[1].isBounded() && v[2].isBounded();
+}
+
+inline bool isOrdinary(const IntervalVector& point)
+{
+  return std::all_of(point.begin(), point.end(), [](const Interval& x) { return x.magnitude() <= LARGEST; });
+}
+
+inline bool isOrdinaryLength(const Interval& length)
+{
+  return length.isBounded() && length.upper() >= SHORTEST && length.lower() <= LARGEST;
+}
+
+/// Both ends, digit by digit; -0 is 0.
+std::string exactText(const Interval& x);
+std::string exactText(const IntervalVector& v);
+}  // namespace pkm_workspace

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/machine/sliding_strut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "numbers.h"
+#include "pkm_workspace/machine/sliding_strut_forms.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+IntervalMatrix projectorAcross(const IntervalVector& axis)
+{
+  IntervalMatrix projector;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+      const Interval product = row == column ? sqr(axis[row]) : axis[row] * axis[column];
+      projector[row][column] = Interval(row == column ? 1.0 : 0.0) - product;
+    }
+  return projector;
+}
+
+/// Exact at both ends, and where both numbers are the same.
+Interval between(const Interval& first, const Interval& last, const Interval& t)
+{
+  if (first == last || t == Interval(0.0))
+    return first;
+  return t == Interval(1.0) ? last : first + t * (last - first);
+}
+
+IntervalVector between(const IntervalVector& first, const IntervalVector& last, const Interval& t)
+{
+  return { between(first[0], last[0], t), between(first[1], last[1], t), between(first[2], last[2], t) };
+}
+
+IntervalVector directionBetween(const IntervalVector& first, const IntervalVector& last, const Interval& t)
+{
+  const IntervalVector sum = between(first, last, t);
+  if (first == last || sum == first || sum == last)
+    return sum;
+  const Interval length = norm(sum);
+  if (!length.certainlyPositive())
+    throw std::invalid_argument("the rails of the two machines point in opposite directions");
+  return { sum[0] / length, sum[1] / length, sum[2] / length };
+}
+}  // namespace
+
+EnclosedStrut enclosed(const SlidingStrut& strut)
+{
+  EnclosedStrut constants;
+  constants.projector = projectorAcross(strut.axis);
+  constants.along = constants.axis = strut.axis;
+  constants.center = strut.origin - strut.platform;
+  constants.squared_length = sqr(strut.length);
+  constants.sign = Interval(strut.working_mode);
+  constants.length = strut.length;
+  return constants;
+}
+
+void validate(const SlidingStrut& strut, const std::string& place, Problems& problems)
+{
+  if (!isBounded(strut.origin) || !isBounded(strut.platform) || !isBounded(strut.axis))
+    complain(problems, place, ": rail origin, axis and platform point must be finite numbers");
+  else if (!isOrdinary(strut.origin) || !isOrdinary(strut.platform))
+    complain(problems, place, ": rail origin and platform point must be within 1e9 m");
+  else if (!squaredNorm(strut.axis).contains(1.0))
+    complain(problems, place, ": the axis must have unit length, its squared length is ", squaredNorm(strut.axis));
+  if (!isOrdinaryLength(strut.length))
+    complain(problems, place, ": strut length ", strut.length, " m must be from 1e-9 m to 1e9 m");
+  if (strut.working_mode != 1 && strut.working_mode != -1)
+    complain(problems, place, ": working mode ", strut.working_mode, " must be +1 or -1");
+}
+
+std::string exactText(const SlidingStrut& strut)
+{
+  return " mode " + std::to_string(strut.working_mode) + exactText(strut.origin) + exactText(strut.axis) +
+         exactText(strut.platform) + exactText(strut.length);
+}
+
+SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation)
+{
+  SlidingStrut result = strut;
+  result.origin = rotation * strut.origin + translation;
+  result.axis = rotation * strut.axis;
+  result.platform = rotation * strut.platform;
+  return result;
+}
+
+SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const Interval& t)
+{
+  SlidingStrut strut = first;
+  strut.origin = between(first.origin, last.origin, t);
+  strut.axis = directionBetween(first.axis, last.axis, t);
+  strut.platform = between(first.platform, last.platform, t);
+  strut.length = between(first.length, last.length, t);
+  return strut;
+}
+
+std::string differenceOfModes(const SlidingStrut& first, const SlidingStrut& last)
+{
+  return first.working_mode == last.working_mode ? "" : "have opposite working modes";
+}
+
+std::string describe(const SlidingStrut& strut)
+{
+  TextStream text;
+  text << "strut " << strut.length.mid() << " m";
+  return text.str();
+}
+
+/// Where b^2 = L^2 - |q|^2 is at least L^2 / steepest^2 (paper, section 4.2; with the margin that psi_max gives).
+OuterBound outerBound(const EnclosedStrut& strut, const std::optional<Interval>& steepest)
+{
+  const Interval radius =
+      steepest ? strut.length * sqrtAboveZero(Interval(1.0) - Interval(1.0) / sqr(*steepest)) : strut.length;
+  return { strut.projector, strut.center, radius };
+}
+
+/// s times L / steepest to L, or s times 0 to L.
+Interval driveRange(const EnclosedStrut& strut, const std::optional<Interval>& steepest)
+{
+  const double longest = strut.length.upper();
+  const double least = steepest ? (strut.length / *steepest).lower() : 0.0;
+  return strut.sign * Interval(std::min(least, longest), longest);
+}
+
+/// rho = e . (p - c) - eta.
+Interval jointRange(const EnclosedStrut& strut, const std::optional<Interval>& steepest,
+                    const std::function<Interval(const IntervalVector&)>& along)
+{
+  return along(strut.axis) - dot(strut.axis, strut.center) - driveRange(strut, steepest);
+}
+
+/// p = c + q + t e, where t = rho + eta and |eta| <= L.
+IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints, const std::optional<Interval>& steepest)
+{
+  const Interval eta = driveRange(strut, std::nullopt);
+  return strut.center + outerBound(strut, steepest).offsets() + (joints + eta) * strut.axis;
+}
+
+LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p)
+{
+  LegState<Interval, IntervalVector> state;
+  evaluateAcross(strut, p, state);
+  return { norm(state.row), strut.length };
+}
+
+/// For each offset across the rail, of which there are pi L^2, joint value and way along it differ by a constant.
+Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width)
+{
+  return pi() * sqr(strut.length) * width;
+}
+
+/// The root of L^2 - |q|^2 is taken of (L - |q|) (L + |q|).
+bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegNumbers& leg)
+{
+  const PlainStrut<double> constants = plain(ofForms<double>(strut));
+  const PlainVector<double> point = { p.x(), p.y(), p.z() };
+  const double length = strut.length.mid();
+  double across = 0.0;
+  const auto root = [&, &q = leg.state.row](double) {
+    across = std::sqrt(squaredNorm(q));  // the row is q as yet
+    return std::sqrt(std::max(0.0, (length - across) * (length + across)));
+  };
+  evaluate(constants, point, root, leg.state);
+  leg.joint = jointOf(constants, point, leg.state);
+  return across <= length;
+}
+
+LegSphere sphereAt(const EnclosedStrut& strut, double joint)
+{
+  return { mid(strut.center) + joint * mid(strut.axis), strut.length.mid() };
+}
+
+Eigen::Vector3d drivenPoint(const SlidingStrut& strut, double joint)
+{
+  return mid(strut.origin) + joint * mid(strut.axis);
+}
+
+bool isInMode(const EnclosedStrut& strut, const Eigen::Vector3d& row)
+{
+  return strut.sign.mid() * row.dot(mid(strut.axis)) > 0.0;
+}
+}  // namespace pkm_workspace
