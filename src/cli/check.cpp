@@ -56,7 +56,7 @@ public:
         "in place of --center, centers that a box of --sides may have: tells whether all, none or some carry it");
     body_.declare(options);
     declareCriterion(options, criterion_);
-    budget_.max_boxes = 1000000;
+    budget_.max_boxes = DEFAULT_CHECK_BOXES;
     options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
     declareTimeLimit(options, budget_.time_limit);
     options.flag("progress", progress_, PROGRESS_HELP);
@@ -127,7 +127,8 @@ private:
     json["centers"] = toJson(*centers_);
     json["sides"] = toJson(sides);
     addLimits(machine, criterion_, reaches, json);
-    const std::string reason = share == Share::UNDECIDED && isTimeOver() ? "; " + timeIsOver(budget_.time_limit) : "";
+    const bool is_stopped = share == Share::UNDECIDED && *limits.stop;
+    const std::string reason = is_stopped ? "; " + stoppedBy(budget_.time_limit) + " ended the proof" : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
                              ", " + sentence(share) + " carry a box with sides " + describe(sides) + reason + ".";
     const std::string remark = remarkOnLimits(machine, criterion_, reaches);

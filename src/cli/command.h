@@ -52,8 +52,9 @@ public:
   /// What is long refers to the command. @pre the options have been parsed
   /// @throws std::invalid_argument when the question has no answer
   virtual Answer answer() = 0;
-  /// Keeps in files what was computed. @pre the answer was printed @throws std::invalid_argument with the reason
-  virtual void save() const {}
+  /// Keeps in files what was computed; called last. @pre the answer was printed @throws std::invalid_argument with the
+  /// reason
+  virtual void save() {}
 };
 
 std::unique_ptr<Command> makeEvaluate();

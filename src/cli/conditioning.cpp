@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/tasks/conditioning.h"
 #include "command.h"
 #include "comparison.h"
 #include "output.h"
-#include "pkm_workspace/paving/workspace_conditioning.h"
-#include "pkm_workspace/region/region_parts.h"
-#include "pkm_workspace/report/conditioning_sentence.h"
-#include "pkm_workspace/report/set_reach.h"
 #include "progress.h"
 #include "region_option.h"
 
@@ -36,15 +33,15 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    region_.declare(options);
-    declareCriterion(options, criterion_);
+    region_.declare(options, task_.region);
+    declareCriterion(options, task_.criterion);
     options.check({ "center" }, [this, &options](Problems& problems) {
       for (const std::string& name : criterionOptions())
-        if (region_.given() && options.given(name))
+        if (task_.region && options.given(name))
           problems.push_back("all points of a region count: leave out --" + name);
     });
-    options.number("accuracy", query_.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
-    declareBudget(options, query_.budget);
+    options.number("accuracy", task_.query.accuracy, NUMBER_POSITIVE, "wanted width of the enclosure");
+    declareBudget(options, task_.query.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
   }
 
@@ -54,46 +51,41 @@ public:
 
   Answer answer() override
   {
-    query_.budget.stop = stopOnSignal();
+    task_.query.budget.stop = stopOnSignal();
     const Progress progress(progress_);
     const Machine& machine = machine_.machine();
-    const GlobalConditioning found =
-        region_.given() ? globalConditioning(machine, *region_.shape(), region_.center(), region_.size(), query_)
-                        : workspaceConditioning(machine, criterion_, query_);
-    const std::optional<JointReaches> reaches = region_.given() ? std::nullopt : reachOver(machine, criterion_);
-    Json json = region_.given() ? contextOf(machine) : contextOf(machine, criterion_);
-    json["over"] = region_.given() ? "region" : "set";
+    const ConditioningReport report = globalConditioning(machine, task_);
+    const GlobalConditioning& found = report.found;
+    Json json = task_.region ? contextOf(machine) : contextOf(machine, task_.criterion);
+    json["over"] = task_.region ? "region" : "set";
     json["index"] = toJson(found.index);
     json["measure"] = toJson(found.measure);
-    json["accuracy"] = query_.accuracy;
+    json["accuracy"] = task_.query.accuracy;
     json["complete"] = found.complete;
     json["boxes"] = found.boxes;
     json["seconds"] = found.seconds;
-    if (!region_.given())
-      addLimits(machine, criterion_, reaches, json);
-    const std::string message = pkm_workspace::describe(found, query_.budget);
-    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
-    json["message"] = withRemark(message, remark);
-    return { json, print(found, message) + wrapped(remark) };
+    if (!task_.region)
+      addLimits(machine, task_.criterion, report.reaches, json);
+    json["message"] = report.message;
+    return { json, print(found, report.message) };
   }
 
 private:
   std::string print(const GlobalConditioning& found, const std::string& message) const
   {
-    const std::string over = region_.given() ? "the " + region_.shape()->name() : "the set";
+    const std::string over = task_.region ? "the " + task_.region->solid.shape->name() : "the set";
     const std::vector<Words> rows = { { "global conditioning index", describe(found.index) },
                                       { "averaged over", describe(found.measure) + " m^" +
                                                              std::to_string(found.dimension) + ", the measure of " +
                                                              over },
                                       { "effort", std::to_string(found.boxes) + " boxes, " + seconds(found.seconds) } };
     return aligned(rows, Align::LEFT) + "\n" + wrapped(message) +
-           (region_.given() ? "" : wrapped(definition(machine_.machine(), criterion_)));
+           (task_.region ? "" : wrapped(definition(machine_.machine(), task_.criterion)));
   }
 
   MachineOptions machine_;
   RegionOption region_;
-  Criterion criterion_;
-  ConditioningQuery query_;
+  ConditioningTask task_;
   bool progress_ = false;
 };
 }  // namespace

@@ -184,9 +184,7 @@ private:
   {
     const std::size_t left = points_.size() - evaluated_;
     const std::string text =
-        left == 0 ? ""
-                  : std::to_string(left) + " points are left out: " +
-                        (isTimeOver() ? timeIsOver(time_limit_) : "a request to stop ended the proof") + ".";
+        left == 0 ? "" : std::to_string(left) + " points are left out: " + stoppedBy(time_limit_) + " ended the proof.";
     const std::string remark = remarkOnLimits(machine_.machine(), criterion_, reaches);
     return text.empty() ? remark : withRemark(text, remark);
   }

@@ -7,8 +7,7 @@
 #include "output.h"
 #include "path_text.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/region/path_check.h"
-#include "pkm_workspace/report/path_sentence.h"
+#include "pkm_workspace/tasks/path.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -89,9 +88,9 @@ public:
       path_.read(words[0], problems);
       throwProblems(problems);
     });
-    options.number("tool-speed", query_.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
+    options.number("tool-speed", task_.query.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
                    "speed of the tool along the path");
-    options.count("max-looks", query_.max_looks, MOST_BOXES,
+    options.count("max-looks", task_.query.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
@@ -104,18 +103,19 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    const PathResult result = check();
+    const PathReport report = check();
+    const PathResult& result = report.result;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = cli::name(result.verdict);
-    json["tool_speed"] = query_.tool_speed;
+    json["tool_speed"] = task_.query.tool_speed;
     json["looks"] = result.looks;
     json["end"] = name(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? toJson(*result.motion) : Json();
     if (result.motion)
-      addLimits(machine, criterion_, reach_, json);
-    json["message"] = message(result);
-    Answer answer{ json, print(result) };
+      addLimits(machine, criterion_, report.reaches, json);
+    json["message"] = report.message;
+    Answer answer{ json, print(report) };
     answer.long_members["segments"] = [this](std::ostream& out) {
       writeList(
           checks_.size(), [this](std::size_t i) { return segmentOf(checks_[i].check(), path_.place(i)); }, 2, out);
@@ -124,21 +124,16 @@ public:
   }
 
 private:
-  PathResult check()
+  PathReport check()
   {
+    task_.query.stop = stopOnSignalOrAfter(time_limit_);
+    task_.for_each = [this](const auto& use) { path_.handOver(use); };
+    task_.tell = [this](const SegmentCheck& check) { checks_.emplace_back(check); };
+    task_.place = [this](std::size_t segment) { return path_.place(segment); };
+    task_.stopped_by = [this] { return stoppedBy(time_limit_); };
     const PointEvaluator evaluator(machine_.machine(), criterion_);
-    query_.stop = stopOnSignalOrAfter(time_limit_);
     const Progress progress(progress_);
-    PathReach reach(machine_.machine());
-    PathChecker checker(evaluator, query_, [this](const SegmentCheck& check) { checks_.emplace_back(check); });
-    path_.handOver([&](const PathSegment& segment) {
-      checker.add(segment);
-      reach.add(segment);
-    });
-    const PathResult result = checker.finish();
-    if (result.motion)
-      reach_ = reach.over(*result.motion);
-    return result;
+    return checkPath(evaluator, task_);
   }
 
   void finishPath(Problems& problems)
@@ -176,26 +171,16 @@ private:
     return json;
   }
 
-  std::string message(const PathResult& result) const
+  std::string print(const PathReport& report) const
   {
-    std::string text =
-        describe(result, machine_.machine(), [this](std::size_t segment) { return path_.place(segment); });
-    if (result.motion)
-      text = withRemark(text, remarkOnLimits(machine_.machine(), criterion_, reach_));
-    if (result.verdict == Containment::UNDECIDED && isTimeOver())
-      text += " Here " + timeIsOver(time_limit_) + ".";
-    return text;
-  }
-
-  std::string print(const PathResult& result) const
-  {
+    const PathResult& result = report.result;
     std::vector<Words> rows = { { "verdict", cli::name(result.verdict) } };
     if (result.motion)
       addMotion(*result.motion, rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
     return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) +
            (checks_.size() == 1 ? " segment" : " segments") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
-           wrapped(message(result)) + wrapped(definition(machine_.machine(), criterion_));
+           wrapped(report.message) + wrapped(definition(machine_.machine(), criterion_));
   }
 
   /// The factors are those of the machine, the rest is told leg by leg.
@@ -213,13 +198,12 @@ private:
 
   MachineOptions machine_;
   Criterion criterion_;
-  PathQuery query_;
+  PathTask task_;
   PathText path_;
   std::string file_;
   double time_limit_;
   bool progress_ = false;
   std::deque<KeptCheck> checks_;  ///< one for each segment
-  JointReaches reach_;            ///< of a path that is inside
 };
 }  // namespace
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <stdexcept>
 
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
 #include "pave_answer.h"
-#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/paving_file.h"
-#include "pkm_workspace/paving/reachable_volume.h"
-#include "pkm_workspace/report/set_reach.h"
+#include "pkm_workspace/report/paving_sentence.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -78,29 +75,27 @@ public:
   Answer answer() override
   {
     query_.budget.stop = stopOnSignal();
-    query_.resolution = resolution_ ? *resolution_ : defaultResolution(machine_.machine(), boxFor(query_));
+    query_.resolution = resolution_ ? *resolution_ : defaultResolution(machine_.machine(), query_);
     const std::vector<PavingQuery> queries = this->queries();
     std::vector<Paving> earlier;
     if (!resume_.empty())
       earlier = loadPavings(resume_, machine_.machine(), queries);
     for (std::size_t k = 0; k < queries.size(); ++k)
-    {
-      paved_.pavings.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
-      paved_.sizes.push_back(sizeOf(queries[k], paved_.pavings.back()));
-    }
-    paved_.asked = asked();
-    if (!query_.criterion.joint_limits)
-      paved_.reaches = reachOver(machine_.machine(), paved_.pavings[paved_.asked]);
-    paved_.ended_by = endedBy(queries, paved_.pavings);
-    paved_.is_section = isSection();
+      paved_.reports.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
+    paved_.asked = query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0;
+    paved_.reports[paved_.asked].ended_by = endedBy(paved_.reports);
     paved_.most_listed = list_boxes_;
     return answerOf(machine_.machine(), paved_);
   }
 
-  void save() const override
+  void save() override
   {
-    if (!save_.empty())
-      savePavings(save_, paved_.pavings);
+    if (save_.empty())
+      return;
+    std::vector<Paving> pavings;
+    for (PavingReport& report : paved_.reports)
+      pavings.push_back(std::move(report.paving));
+    savePavings(save_, pavings);
   }
 
 private:
@@ -124,11 +119,6 @@ private:
     return { Aspect::OWN, Aspect::OTHER };
   }
 
-  /// Which of these is asked for.
-  std::size_t asked() const { return query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0; }
-
-  bool isSection() const { return !query_.box && slidesAlongRails(machine_.machine(), query_.criterion); }
-
   std::vector<PavingQuery> queries() const
   {
     std::vector<PavingQuery> queries;
@@ -142,43 +132,26 @@ private:
     return queries;
   }
 
-  Box boxFor(const PavingQuery& query) const
-  {
-    return query.box ? *query.box : defaultBox(machine_.machine(), query.criterion);
-  }
-
-  Paving run(PavingQuery query, const Paving* earlier) const
+  PavingReport run(PavingQuery query, const Paving* earlier) const
   {
     Progress progress(progress_);
-    const Measure measure(boxFor(query));
+    const Machine& machine = machine_.machine();
+    const Measure measure(query.box ? *query.box : defaultBox(machine, query.criterion));
     query.progress = [&progress, &measure](const PavingProgress& state) {
       progress.tell(measure.name + " inside " + nearly(state.volume_inside) + measure.unit + ", undecided " +
                     nearly(state.volume_boundary) + measure.unit + ", " + std::to_string(state.boxes) + " boxes, " +
                     nearly(state.boxesPerSecond(), 3) + " boxes/s");
     };
-    return earlier ? resume(machine_.machine(), query, *earlier) : pave(machine_.machine(), query);
+    return reportPaving(machine, query, earlier);
   }
 
-  static std::string endedBy(const std::vector<PavingQuery>& queries, const std::vector<Paving>& pavings)
+  /// The first that was.
+  static std::string endedBy(const std::vector<PavingReport>& reports)
   {
-    for (std::size_t k = 0; k < pavings.size(); ++k)
-      if (!pavings[k].complete)
-      {
-        const Budget& budget = queries[k].budget;
-        const std::string ended_by = budget.endedBy(pavings[k].seconds, pavings[k].boxes_here);
-        return ended_by.empty() ? budget.endedBy(pavings[k].seconds, pavings[k].boxes_here, true) : ended_by;
-      }
+    for (const PavingReport& report : reports)
+      if (!report.ended_by.empty())
+        return report.ended_by;
     return "";
-  }
-
-  /// Encloses the volume; of a set without factors more closely than the boxes do, with what is left of the time.
-  Interval sizeOf(const PavingQuery& query, const Paving& paving) const
-  {
-    const Interval size(paving.volumeLower(), paving.volumeUpper());
-    if (query.criterion.boundsFactors())
-      return size;
-    const Budget budget = query.budget.within(std::max(1e-9, query.budget.time_limit - paving.seconds));
-    return intersection(size, reachableVolume(machine_.machine(), query.criterion, paving, budget));
   }
 
   MachineOptions machine_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pave_answer.h"
 
-#include <algorithm>
 #include <ostream>
 
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/report/paving_sentence.h"
 
 namespace pkm_workspace
 {
@@ -13,28 +13,22 @@ namespace cli
 {
 namespace
 {
-Json bracketOf(const Paved& paved, std::size_t index)
+Json bracketOf(const PavingReport& report)
 {
-  const std::string name = Measure(paved.pavings[index].box).name;
-  return { { name + "_lower", paved.sizes[index].lower() }, { name + "_upper", paved.sizes[index].upper() } };
+  const std::string name = Measure(report.paving.box).name;
+  return { { name + "_lower", report.measure.lower() }, { name + "_upper", report.measure.upper() } };
 }
 
-std::string sizeOf(const Paved& paved, std::size_t index)
+std::string sizeOf(const PavingReport& report)
 {
-  const Interval& size = paved.sizes[index];
-  return bracket(size.lower(), size.upper()) + Measure(paved.pavings[index].box).unit;
+  return bracket(report.measure.lower(), report.measure.upper()) + Measure(report.paving.box).unit;
 }
 
-bool isComplete(const std::vector<Paving>& pavings)
-{
-  return std::all_of(pavings.begin(), pavings.end(), [](const Paving& paving) { return paving.complete; });
-}
-
-double secondsOf(const std::vector<Paving>& pavings)
+double secondsOf(const std::vector<PavingReport>& reports)
 {
   double sum = 0.0;
-  for (const Paving& paving : pavings)
-    sum += paving.seconds;
+  for (const PavingReport& report : reports)
+    sum += report.paving.seconds;
   return sum;
 }
 
@@ -90,12 +84,13 @@ void writeBoxes(const BoxTree& tree, std::int64_t most, std::ostream& out)
 
 Json toJson(const Machine& machine, const Paved& paved)
 {
-  const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings[paved.asked];
+  const std::vector<PavingReport>& reports = paved.reports;
+  const PavingReport& asked = reports[paved.asked];
+  const Paving& whole = asked.paving;
   Json json = contextOf(whole.premises);
-  json.update(bracketOf(paved, paved.asked));
-  json["own_aspect"] = bracketOf(paved, pavings.size() - 2);
-  json["other_aspect"] = bracketOf(paved, pavings.size() - 1);
+  json.update(bracketOf(asked));
+  json["own_aspect"] = bracketOf(reports[reports.size() - 2]);
+  json["other_aspect"] = bracketOf(reports.back());
   json["dimension"] = Measure(whole.box).dimension;
   json["resolution"] = whole.resolution;
   json["box"] = cli::toJson(whole.box);
@@ -104,69 +99,45 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["boxes_inside"] = whole.tree.count(CellState::INSIDE);
   json["boxes_boundary"] = whole.tree.count(CellState::BOUNDARY);
   json["boxes_pending"] = whole.tree.count(CellState::PENDING);
-  json["seconds"] = secondsOf(pavings);
-  json["complete"] = isComplete(pavings);
-  json["ended_by"] = paved.ended_by.empty() ? Json() : Json(paved.ended_by);
-  addLimits(machine, whole.premises.criterion, paved.reaches, json);
+  json["seconds"] = secondsOf(reports);
+  json["complete"] = asked.ended_by.empty();
+  json["ended_by"] = asked.ended_by.empty() ? Json() : Json(asked.ended_by);
+  addLimits(machine, whole.premises.criterion, asked.reaches, json);
+  json["message"] = asked.message(machine);
   return json;
-}
-
-std::string proofOf(const Paved& paved)
-{
-  const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings[paved.asked];
-  const Measure measure(whole.box);
-  std::string text = "Proved: the points of the box that are " + quality(whole.premises.criterion) + " have " +
-                     (measure.dimension == 2 ? "an " : "a ") + measure.name + " of " + sizeOf(paved, paved.asked) + ".";
-  if (paved.is_section)
-    text +=
-        " The rails are parallel: the box is flat, across the axis they run along, and in every plane parallel to "
-        "it the area is the same.";
-  if (!isComplete(pavings))
-    text += " Ended early by " + paved.ended_by + ": more time, boxes or memory give closer bounds.";
-  return text;
 }
 
 std::string print(const Machine& machine, const Paved& paved)
 {
-  const std::vector<Paving>& pavings = paved.pavings;
-  const Paving& whole = pavings[paved.asked];
+  const std::vector<PavingReport>& reports = paved.reports;
+  const PavingReport& asked = reports[paved.asked];
+  const Paving& whole = asked.paving;
   const Criterion& criterion = whole.premises.criterion;
   const auto count = [&whole](CellState state) { return std::to_string(whole.tree.count(state)) + " boxes"; };
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
   const std::vector<Words> rows = {
-    { Measure(whole.box).name, sizeOf(paved, paved.asked) },
-    { "own aspect", sizeOf(paved, pavings.size() - 2) },
-    { "other aspect", sizeOf(paved, pavings.size() - 1) },
+    { Measure(whole.box).name, sizeOf(asked) },
+    { "own aspect", sizeOf(reports[reports.size() - 2]) },
+    { "other aspect", sizeOf(reports.back()) },
     { "inside", count(CellState::INSIDE) },
     { "boundary", count(CellState::BOUNDARY) + ", undecided at the resolution" },
     { "pending", count(CellState::PENDING) + ", not looked at" },
     { "box", "from " + describe(whole.box.lower) + " to " + describe(whole.box.upper) },
     { "resolution", exact(whole.resolution) + " m" },
-    { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(pavings)) },
+    { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(reports)) },
   };
   return "Paving of the points of machine '" + machine.name() + "' that are " + quality(criterion) + "\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(proofOf(paved)) + wrapped(definition(machine, criterion)) +
-         wrapped(remarkOnLimits(machine, criterion, paved.reaches));
+         aligned(rows, Align::LEFT) + "\n" + wrapped(asked.message(machine)) + wrapped(definition(machine, criterion));
 }
 }  // namespace
-
-Measure::Measure(const Box& box)
-{
-  constexpr const char* NAMES[] = { "volume", "length", "area", "volume" };
-  constexpr const char* UNITS[] = { " m^3", " m", " m^2", " m^3" };
-  dimension = static_cast<int>(((box.upper - box.lower).array() > 0.0).count());
-  name = NAMES[dimension];
-  unit = UNITS[dimension];
-}
 
 Answer answerOf(const Machine& machine, const Paved& paved)
 {
   Answer answer{ toJson(machine, paved), print(machine, paved) };
   if (paved.most_listed > 0)
     answer.long_members["listed"] = [&paved](std::ostream& out) {
-      writeBoxes(paved.pavings[paved.asked].tree, paved.most_listed, out);
+      writeBoxes(paved.reports[paved.asked].paving.tree, paved.most_listed, out);
     };
   return answer;
 }

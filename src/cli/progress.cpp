@@ -66,14 +66,9 @@ const std::atomic<bool>* stopOnSignalOrAfter(double seconds)
   return stopOnSignal();
 }
 
-bool isTimeOver()
+std::string stoppedBy(double time_limit)
 {
-  return time_flag;
-}
-
-std::string timeIsOver(double time_limit)
-{
-  return "the time limit of " + nearly(time_limit) + " s (--time-limit) ended the proof";
+  return time_flag ? "the time limit of " + nearly(time_limit) + " s (--time-limit)" : "a request to stop";
 }
 
 Progress::Progress(bool often) : Progress(std::cerr, isTerminal(), often || isTerminal() ? OFTEN : SELDOM) {}

@@ -18,10 +18,8 @@ const std::atomic<bool>* stopOnSignal();
 /// The same for a computation that knows no limit of time but the flag. @param seconds after which the flag is set too;
 /// 0: never
 const std::atomic<bool>* stopOnSignalOrAfter(double seconds);
-/// Whether it is that time that has set the flag.
-bool isTimeOver();
-/// Says so.
-std::string timeIsOver(double time_limit);
+/// What has set the flag: that time, or a signal. "the time limit of 60 s (--time-limit)"
+std::string stoppedBy(double time_limit);
 
 constexpr const char* PROGRESS_HELP = "tells the progress once a second where standard error is not a terminal, too";
 

@@ -49,13 +49,15 @@ Solid BodyOption::read() const
   return height_ ? makeSolid(SolidKind::CYLINDER, { *height_, *radius_ }) : makeSolid(SolidKind::SPHERE, { *radius_ });
 }
 
-void RegionOption::declare(Options& options)
+void RegionOption::declare(Options& options, std::optional<PlacedSolid>& region)
 {
   body_.declare(options);
   options.vector("center", center_, "X Y Z", LENGTH, "center of the region, in the frame of the root link");
-  options.check({ "center", "size", "sides", "radius", "height" }, [this](Problems& problems) {
+  options.check({ "center", "size", "sides", "radius", "height" }, [this, &region](Problems& problems) {
     if (center_.has_value() != body_.given())
       problems.push_back("--center and --size, --sides or --radius go together: they give a region");
+    else if (center_)
+      region = PlacedSolid{ body_.solid(), *center_ };
   });
 }
 }  // namespace cli

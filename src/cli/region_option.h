@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common_options.h"
-#include "pkm_workspace/region/solid.h"
+#include "pkm_workspace/tasks/placed_solid.h"
 
 namespace pkm_workspace
 {
@@ -39,12 +39,8 @@ private:
 class RegionOption
 {
 public:
-  void declare(Options& options);
-  /// @pre for all of these, the options have been parsed
-  bool given() const { return center_.has_value(); }
-  const ShapePtr& shape() const { return body_.solid().shape; }
-  const Eigen::Vector3d& center() const { return *center_; }
-  double size() const { return body_.solid().size; }
+  /// Sets the region where one is given.
+  void declare(Options& options, std::optional<PlacedSolid>& region);
 
 private:
   BodyOption body_;

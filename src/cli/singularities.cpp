@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/tasks/singularities.h"
 #include "command.h"
 #include "comparison.h"
 #include "output.h"
-#include "pkm_workspace/region/region_parts.h"
-#include "pkm_workspace/report/set_reach.h"
-#include "pkm_workspace/report/singularity_sentence.h"
 #include "progress.h"
 #include "region_option.h"
 
@@ -14,13 +12,6 @@ namespace cli
 {
 namespace
 {
-Criterion reachableAnywhere()
-{
-  Criterion criterion = anyReachable();
-  criterion.joint_limits = defaultCriterion().joint_limits;
-  return criterion;
-}
-
 class FindThem : public Command
 {
 public:
@@ -41,14 +32,14 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    region_.declare(options);
-    options.choice("aspect", criterion_.aspect, ASPECT_NAMES,
+    region_.declare(options, task_.region);
+    options.choice("aspect", task_.query.aspect, ASPECT_NAMES,
                    "sign of det A at the points that count: that of the machine's zero configuration, the other, or "
                    "any; points where it is 0, the parallel singularities, count in each");
-    options.onOff("joint-limits", criterion_.joint_limits, "whether only points within the URDF's joint limits count");
-    options.number("accuracy", query_.accuracy, NUMBER_POSITIVE,
+    options.onOff("joint-limits", task_.query.joint_limits, "whether only points within the URDF's joint limits count");
+    options.number("accuracy", task_.query.accuracy, NUMBER_POSITIVE,
                    "wanted width of each enclosure, relative to its upper end");
-    declareBudget(options, query_.budget);
+    declareBudget(options, task_.query.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
   }
 
@@ -59,42 +50,22 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    SingularityQuery query = query_;
-    if (region_.given())
-    {
-      const SingularityQuery within = singularitiesOver(region_.shape(), region_.center(), region_.size());
-      query.box = within.box;
-      query.part = within.part;
-    }
-    query.joint_limits = criterion_.joint_limits;
-    query.aspect = criterion_.aspect;
-    query.budget.stop = stopOnSignal();
+    task_.query.budget.stop = stopOnSignal();
     const Progress progress(progress_);
-    const Singularities found = findSingularities(machine, query);
-    const std::optional<JointReaches> reaches = this->reaches();
-    Json json = contextOf(machine, criterion_);
-    json["over"] = region_.given() ? "region" : "set";
+    const SingularityReport report = findSingularities(machine, task_);
+    Json json = contextOf(machine, task_.criterion());
+    json["over"] = task_.region ? "region" : "set";
     json["serial"] = Json::array();
-    for (const SingularityAnswer& leg : found.serial)
+    for (const SingularityAnswer& leg : report.found.serial)
       json["serial"].push_back(toJson(leg));
-    json["parallel"] = toJson(found.parallel);
-    json["seconds"] = found.seconds;
-    const std::string message = describe(found, machine, query.budget);
-    const std::string remark = remarkOnLimits(machine, criterion_, reaches);
-    addLimits(machine, criterion_, reaches, json);
-    json["message"] = withRemark(message, remark);
-    return { json, print(found, message) + wrapped(remark) };
+    json["parallel"] = toJson(report.found.parallel);
+    json["seconds"] = report.found.seconds;
+    addLimits(machine, task_.criterion(), report.reaches, json);
+    json["message"] = report.message;
+    return { json, print(report.found, report.message) };
   }
 
 private:
-  /// How far the rails go for the points that count, where limits are left aside.
-  std::optional<JointReaches> reaches() const
-  {
-    const Machine& machine = machine_.machine();
-    return region_.given() ? reachOver(machine, criterion_, *region_.shape(), region_.center(), region_.size())
-                           : reachOver(machine, criterion_);
-  }
-
   std::string print(const Singularities& found, const std::string& message) const
   {
     const Machine& machine = machine_.machine();
@@ -106,15 +77,14 @@ private:
       add("serial, " + machine.leg(i).joint, found.serial[static_cast<std::size_t>(i)], "|eta| [m]");
     add("parallel", found.parallel, "|det A| [m^3]");
     return "Singularities of machine '" + machine.name() + "' " +
-           (region_.given() ? "in the " + region_.shape()->name() : "at all points that the struts reach") +
-           (criterion_.joint_limits ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
-           wrapped(definition(machine, criterion_)) + wrapped(message + " " + seconds(found.seconds) + ".");
+           (task_.region ? "in the " + task_.region->solid.shape->name() : "at all points that the struts reach") +
+           (task_.query.joint_limits ? " within the joint limits" : "") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           wrapped(definition(machine, task_.criterion())) + wrapped(message + " " + seconds(found.seconds) + ".");
   }
 
   MachineOptions machine_;
   RegionOption region_;
-  SingularityQuery query_;
-  Criterion criterion_ = reachableAnywhere();
+  SingularityTask task_;
   bool progress_ = false;
 };
 }  // namespace

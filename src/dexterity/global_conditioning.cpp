@@ -190,16 +190,6 @@ void ConditioningQuery::validate(Problems& problems) const
   budget.validate(problems);
 }
 
-std::string remarkOn(const GlobalConditioning& found, const Budget& budget)
-{
-  if (found.index.upper() == 0.0)
-    return "The struts reach no point of it, where the index is taken for 0.";
-  if (found.complete)
-    return "";
-  const std::string ended_by = budget.endedBy(found.seconds, found.boxes, found.out_of_memory);
-  return "The accuracy was not met: " + (ended_by.empty() ? "the set has no proved volume." : ended_by + " ended it.");
-}
-
 GlobalConditioning globalConditioning(const Machine& machine, const BoxClassifier& set, const Box& box,
                                       const ConditioningQuery& query)
 {

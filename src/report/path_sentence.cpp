@@ -38,8 +38,9 @@ std::string openParts(const PathOffence& offence)
 class Sentence
 {
 public:
-  Sentence(const PathResult& result, const Machine& machine, const std::function<std::string(std::size_t)>& place)
-    : result_(result), machine_(machine), place_(place)
+  Sentence(const PathResult& result, const Machine& machine, const std::function<std::string(std::size_t)>& place,
+           const std::string& stopped_by)
+    : result_(result), machine_(machine), place_(place), stopped_by_(stopped_by)
   {}
 
   std::string operator()() const
@@ -78,20 +79,21 @@ private:
   {
     const std::string place = where(offence, openParts(offence));
     if (result_.end == End::LOOKS)
-      return place + ", because " + std::to_string(result_.looks) + " looks were not enough (max_looks)";
-    return place + (result_.end == End::STOPPED ? ", because it was stopped"
+      return place + ", because " + std::to_string(result_.looks) + " looks were not enough";
+    return place + (result_.end == End::STOPPED ? ", because " + stopped_by_ + " ended the proof"
                                                 : ", where the path comes within rounding of the border");
   }
 
   const PathResult& result_;
   const Machine& machine_;
   const std::function<std::string(std::size_t)>& place_;
+  const std::string& stopped_by_;
 };
 }  // namespace
 
 std::string describe(const PathResult& result, const Machine& machine,
-                     const std::function<std::string(std::size_t)>& place)
+                     const std::function<std::string(std::size_t)>& place, const std::string& stopped_by)
 {
-  return Sentence(result, machine, place)();
+  return Sentence(result, machine, place, stopped_by)();
 }
 }  // namespace pkm_workspace

@@ -130,14 +130,6 @@ JointReaches withoutEnd()
   return reaches;
 }
 
-bool isSectionOfAll(const Machine& machine, const Paving& paving)
-{
-  if (!slidesAlongRails(machine, paving.premises.criterion))
-    return false;
-  const Box section = defaultBox(machine, paving.premises.criterion);
-  return paving.box.lower == section.lower && paving.box.upper == section.upper;
-}
-
 /// Sides of the box about the middle of @p centers that the boxes with all of these centers fill together, rounded.
 Vector3d sidesOver(const Box& centers, const Vector3d& sides, bool inward)
 {
@@ -187,6 +179,14 @@ std::optional<JointReaches> coarseReach(const Machine& machine, const Criterion&
   return reachOver(machine, pave(machine, query));
 }
 }  // namespace
+
+bool isSectionOfAll(const Machine& machine, const Paving& paving)
+{
+  if (!slidesAlongRails(machine, paving.premises.criterion))
+    return false;
+  const Box section = defaultBox(machine, paving.premises.criterion);
+  return paving.box.lower == section.lower && paving.box.upper == section.upper;
+}
 
 std::optional<JointReaches> reachOver(const Machine& machine, const Paving& paving)
 {

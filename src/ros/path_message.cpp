@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 
-#include "pkm_workspace/report/path_sentence.h"
 #include "pkm_workspace/report/point_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/frames.h"
@@ -138,15 +137,15 @@ void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, Ev
   response.det_a = toMessage(evaluation.det_a);
 }
 
-void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response)
+void fill(const PathReport& report, const Machine& machine, CheckPath::Response& response)
 {
+  const PathResult& result = report.result;
   response.verdict = constantOf(result.verdict);
   response.looks = result.looks;
   response.offending_segment = -1;
   response.bad_at = NONE;
   response.end = static_cast<std::uint8_t>(result.end);  // numbered as PathResult::End
-  response.message =
-      describe(result, machine, [](std::size_t segment) { return "segment " + std::to_string(segment); });
+  response.message = report.message;
   if (result.motion)
     for (std::size_t i = 0; i < 3; ++i)
     {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/paving_message.h"
 
-#include "pkm_workspace/dexterity/defaults.h"
-#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/report/set_reach.h"
+#include "pkm_workspace/report/paving_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -34,11 +32,6 @@ void add(const BoxTree& tree, CellState state, BoxList& list)
       list.max_corners.push_back(toMessage(box.upper));
     }
 }
-
-std::uint8_t dimensionOf(const Box& box)
-{
-  return static_cast<std::uint8_t>(((box.upper - box.lower).array() > 0.0).count());
-}
 }  // namespace
 
 PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
@@ -54,31 +47,27 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   readMemory(request, parameters, query, problems);
   if (request.max_listed < 0)
     problems.push_back("max_listed = " + std::to_string(request.max_listed) + " must be >= 0");
-  query.resolution = valueOr(request.resolution, parameters.paving_resolution);
-  const bool is_default = query.resolution == 0.0;
-  if (is_default)
-    query.resolution = 1.0;  // until there is a box, which a bad criterion may keep from being found
+  const double resolution = valueOr(request.resolution, parameters.paving_resolution);
+  query.resolution = valueOr(resolution, 1.0);  // until the criterion is known to be good
   query.validate(problems);
   throwProblems(problems);
-  if (!query.box)
-    query.box = withRemedy({ "joint_limits = ON", "a box by use_box" },
-                           [&] { return defaultBox(*in.machine, query.criterion); });
-  if (is_default)
-    query.resolution = defaultResolution(*in.machine, *query.box);
+  if (resolution == 0.0)
+    query.resolution = withRemedy(PAVING_REMEDY, [&] { return defaultResolution(*in.machine, query); });
   return question;
 }
 
-Workspace toMessage(const PavingQuestion& question, const Paving& paving, const ros::Time& stamp)
+Workspace toMessage(const PavingQuestion& question, const PavingReport& report, const ros::Time& stamp)
 {
+  const Paving& paving = report.paving;
   const BoxTree& tree = paving.tree;
   Workspace message;
   message.header = headerOf(question.in, stamp);
   message.hypotheses = toMessage(question.in.premises(paving.premises.criterion), paving.resolution);
   message.min_corner = toMessage(paving.box.lower);
   message.max_corner = toMessage(paving.box.upper);
-  message.dimension = dimensionOf(paving.box);
-  message.volume_lower_bound = paving.volumeLower();
-  message.volume_upper_bound = paving.volumeUpper();
+  message.dimension = static_cast<std::uint8_t>(Measure(paving.box).dimension);
+  message.volume_lower_bound = report.measure.lower();
+  message.volume_upper_bound = report.measure.upper();
   message.volume_inside = paving.volume_inside.lower();
   message.volume_boundary = paving.volume_boundary.upper();
   message.boxes_inside = tree.count(CellState::INSIDE);
@@ -88,11 +77,7 @@ Workspace toMessage(const PavingQuestion& question, const Paving& paving, const 
   message.boxes_here = paving.boxes_here;
   message.complete = paving.complete;
   message.seconds = paving.seconds;
-  message.message = paving.complete ? "Every box down to the resolution was looked at."
-                                    : "A limit or a cancel ended it early: more time or memory give closer bounds.";
-  if (!paving.premises.criterion.joint_limits)
-    message.message = withRemark(message.message, remarkOnLimits(*question.in.machine, paving.premises.criterion,
-                                                                 reachOver(*question.in.machine, paving)));
+  message.message = report.message(*question.in.machine);
   if (question.max_listed > 0)
   {
     const BoxTree coarse = tree.coarsened(question.max_listed);
@@ -108,15 +93,6 @@ std::string describe(const PavingQuery& query)
   TextStream text;
   text << "paving of all points that are " << describe(query.criterion) << ", resolution " << query.resolution
        << " m, within " << query.budget.time_limit << " s";
-  return text.str();
-}
-
-std::string summary(const Paving& paving)
-{
-  TextStream text;
-  text << "set of measure " << bracket(paving.volumeLower(), paving.volumeUpper()) << " m^"
-       << int(dimensionOf(paving.box)) << "; ";
-  text << paving.boxes_here << " boxes, " << nearly(paving.seconds, 3) << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
 
@@ -50,32 +51,33 @@ void PavingService::approximate(const Action::Goal& goal, const StopFlag& stop, 
 
 Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
 {
-  PavingQuery& query = question.query;
-  const Machine& machine = *question.in.machine;
-  query.budget.stop = stop.get();
-  ROS_INFO_STREAM_NAMED("server", "computing: " << describe(query));
-  Problems differences;
-  const auto earlier = last();
-  if (earlier)
-    validateEarlier(machine, query, *earlier, differences);
-  const auto paving = std::make_shared<const Paving>(earlier && differences.empty() ? resume(machine, query, *earlier)
-                                                                                    : pave(machine, query));
+  question.query.budget.stop = stop.get();
+  ROS_INFO_STREAM_NAMED("server", "computing: " << describe(question.query));
+  const auto report = std::make_shared<const PavingReport>(withRemedy(PAVING_REMEDY, [&] { return goOn(question); }));
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    last_ = paving;
+    last_ = report;
   }
-  ROS_INFO_STREAM_NAMED("server", summary(*paving));
-  context_.health.noteComputation({ describe(query), summary(*paving), paving->seconds, !paving->complete });
-  const Workspace workspace = toMessage(question, *paving, ros::Time::now());
+  const Paving& paving = report->paving;
+  const Workspace workspace = toMessage(question, *report, ros::Time::now());
+  const std::string effort = std::to_string(paving.boxes_here) + " boxes, " + nearly(paving.seconds, 3) + " s";
+  ROS_INFO_STREAM_NAMED("server", workspace.message << ' ' << effort);
+  context_.health.noteComputation(
+      { describe(question.query), workspace.message + ' ' + effort, paving.seconds, !paving.complete });
   if (!*stop)  // whoever asked has the answer by then
-    context_.worker.post([this, in = question.in, workspace, paving] { show(in, workspace, *paving); });
+    context_.worker.post([this, in = question.in, workspace, report] { show(in, workspace, report->paving); });
   return workspace;
 }
 
-std::shared_ptr<const Paving> PavingService::last() const
+PavingReport PavingService::goOn(const PavingQuestion& question) const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return last_;
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto last = last_;
+  lock.unlock();
+  Problems differences;
+  if (last)
+    validateEarlier(*question.in.machine, question.query, last->paving, differences);
+  return reportPaving(*question.in.machine, question.query, last && differences.empty() ? &last->paving : nullptr);
 }
 
 void PavingService::show(const FramedMachine& in, Workspace workspace, const Paving& paving)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/planner_service.h"
 
-#include "pkm_workspace/region/beyond_limits.h"
+#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
@@ -15,19 +15,11 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr std::int64_t MAX_BOXES = 1000000;
-
 ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue)
 {
   node.setCallbackQueue(&queue);
   return node;
 }
-
-bool asksForLimits(const PointEvaluator& evaluator)
-{
-  return evaluator.test().model().criterion().joint_limits;
-}
-
 }  // namespace
 
 PlannerService::PlannerService(NodeContext& context)
@@ -79,15 +71,15 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
 {
   const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response);
   Problems problems;
-  const Solid solid = fromMessage(request.solid);
-  const Eigen::Vector3d center = fromMessage(request.center);
-  requireFinite("center", center, problems);
+  const auto region = fromMessage(request.solid, request.center, problems);
   if (request.max_boxes < 0)
-    problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for 1000000");
+    problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for " +
+                       std::to_string(DEFAULT_CHECK_BOXES));
   throwProblems(problems);
   Budget budget = context_.parameters.query.budget;
-  budget.max_boxes = request.max_boxes == 0 ? MAX_BOXES : request.max_boxes;
+  budget.max_boxes = request.max_boxes == 0 ? DEFAULT_CHECK_BOXES : request.max_boxes;
   budget.stop = crew_.stopFlag();
+  const auto& [solid, center] = *region;
   const ContainmentResult result = checkContainment(evaluator->test(), *solid.shape, center, solid.size, budget);
   response.verdict = constantOf(result.verdict);
   response.boxes = result.boxes;
@@ -99,25 +91,15 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
 {
   const EvaluatorPtr evaluator = prepare(frameOf(request), request.criterion, response);
-  PathQuery query;
-  query.tool_speed = valueOr(request.tool_speed, query.tool_speed);
-  query.stop = crew_.stopFlag();
-  PathChecker checker(*evaluator, query, [&response](const SegmentCheck& segment) {
+  PathTask task;
+  task.query.tool_speed = valueOr(request.tool_speed, task.query.tool_speed);
+  task.query.stop = crew_.stopFlag();
+  task.for_each = [&request](const UseSegment& use) { forEachSegment(request, use); };
+  task.tell = [&response](const SegmentCheck& segment) {
     response.segment_verdicts.push_back(constantOf(segment.verdict));
-  });
-  PathReach reach(evaluator->machine());
-  const bool is_limited = asksForLimits(*evaluator);
-  forEachSegment(request, [&](const PathSegment& segment) {
-    checker.add(segment);
-    if (!is_limited)
-      reach.add(segment);
-  });
-  const PathResult result = checker.finish();
-  fill(result, evaluator->machine(), response);
-  if (result.motion && !is_limited)
-    response.message = withRemark(
-        response.message,
-        remarkOnLimits(evaluator->machine(), evaluator->test().model().criterion(), reach.over(*result.motion)));
+  };
+  task.place = [](std::size_t segment) { return "segment " + std::to_string(segment); };
+  fill(pkm_workspace::checkPath(*evaluator, task), evaluator->machine(), response);
 }
 
 void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response)

@@ -6,13 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/region/path.h"
-#include "pkm_workspace/region/region_parts.h"
-#include "pkm_workspace/report/set_reach.h"
-#include "pkm_workspace/report/singularity_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
@@ -50,9 +46,6 @@ void requireUnused(const Request& request, Problems& problems)
   for (const Bounds& bounds : request.ranges)
     if (request.over != Request::JOINT_RANGES && (bounds.lower != 0.0 || bounds.upper != 0.0))
       return problems.push_back("ranges must be 0 [m] unless over = JOINT_RANGES");
-  if (request.over != Request::REGION &&
-      (!request.solid.dimensions.empty() || fromMessage(request.center) != Eigen::Vector3d::Zero()))
-    problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
 }
 
 SingularityFinding findingOf(const SingularityAnswer& answer)
@@ -94,15 +87,6 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
                    found.message + '\n' + captionOf(found.hypotheses, ""));
   return scene.array();
 }
-
-/// Whether a question is left open.
-bool isStopped(const Singularities& found)
-{
-  const auto is_open = [](const SingularityAnswer& answer) {
-    return answer.status == SingularityAnswer::Status::UNDECIDED;
-  };
-  return is_open(found.parallel) || std::any_of(found.serial.begin(), found.serial.end(), is_open);
-}
 }  // namespace
 
 SingularityService::SingularityService(NodeContext& context)
@@ -115,74 +99,57 @@ SingularityService::SingularityService(NodeContext& context)
 
 SingularityService::Question SingularityService::read(const Request& request) const
 {
-  Question question{ SingularityQuery(), context_.frames.machineIn(request.header.frame_id), {}, {} };
+  Question question{ {}, context_.frames.machineIn(request.header.frame_id) };
+  SingularityQuery& query = question.task.query;
   Problems problems;
   requireUnused(request, problems);
   if (request.over > Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) +
                        " must be JOINT_LIMITS = 0, REACHABLE = 1, JOINT_RANGES = 2 or REGION = 3");
+  question.task.region = readRegion(request.over == Request::REGION, request.solid, request.center, problems);
+  query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
+  query.aspect = aspectOf(request.aspect, Criterion::Aspect::BOTH, problems);
+  query.accuracy = valueOr(request.accuracy, query.accuracy);
+  const Budget& node = context_.parameters.query.budget;
+  query.budget.threads = node.threads;
+  query.budget.max_memory = node.max_memory;
+  query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
+  query.validate(problems);
   if (request.over == Request::JOINT_RANGES)
   {
     const auto ranges = readRanges(request, problems);
     throwProblems(problems);
     question.in.machine = std::make_shared<const Machine>(withJointLimits(*question.in.machine, ranges));
+    question.in.geometry_hash = withJointLimits(context_.machine(), ranges).geometryHash();
   }
-  if (request.over == Request::REGION)
-  {
-    const Solid solid = fromMessage(request.solid);
-    requireFinite("center", fromMessage(request.center), problems);
-    throwProblems(problems);
-    question.center = fromMessage(request.center);
-    question.solid = solid;
-    question.query = singularitiesOver(solid.shape, question.center, solid.size);
-  }
-  question.query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
-  question.query.aspect = aspectOf(request.aspect, Criterion::Aspect::BOTH, problems);
-  question.query.accuracy = valueOr(request.accuracy, question.query.accuracy);
-  const Budget& node = context_.parameters.query.budget;
-  question.query.budget.threads = node.threads;
-  question.query.budget.max_memory = node.max_memory;
-  question.query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
-  question.query.validate(problems);
   throwProblems(problems);
   return question;
-}
-
-std::optional<JointReaches> SingularityService::reachesOf(const Question& question, const Criterion& criterion)
-{
-  const Machine& machine = *question.in.machine;
-  return question.solid ? reachOver(machine, criterion, *question.solid->shape, question.center, question.solid->size)
-                        : reachOver(machine, criterion);
 }
 
 void SingularityService::find(const Request& request, FindSingularities::Response& response)
 {
   Question question = read(request);
+  const auto& [task, in] = question;
   const StopFlag stop = context_.worker.makeStopFlag();
-  question.query.budget.stop = stop.get();
-  Criterion criterion = anyReachable();
-  criterion.aspect = question.query.aspect;
-  criterion.joint_limits = question.query.joint_limits;
+  question.task.query.budget.stop = stop.get();
   const std::string asked = std::string("singularities of ") +
                             (request.over == Request::REGION         ? "a region, "
                              : request.over == Request::JOINT_RANGES ? "all points within joint ranges, "
                                                                      : "all points that are ") +
-                            describe(criterion);
+                            describe(task.criterion());
   ROS_INFO_STREAM_NAMED("server", "computing: " << asked);
-  const Singularities found = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
-    return findSingularities(*question.in.machine, question.query);
+  const SingularityReport report = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
+    return findSingularities(*question.in.machine, question.task);
   });
-  response.header = headerOf(question.in, ros::Time::now());
-  response.hypotheses = toMessage(question.in.premises(criterion), question.query.accuracy);
-  for (const SingularityAnswer& answer : found.serial)
+  response.header = headerOf(in, ros::Time::now());
+  response.hypotheses = toMessage(in.premises(task.criterion()), task.query.accuracy);
+  for (const SingularityAnswer& answer : report.found.serial)
     response.serial.push_back(findingOf(answer));
-  response.parallel = findingOf(found.parallel);
-  response.seconds = found.seconds;
-  const Machine& machine = *question.in.machine;
-  response.message = withRemark(describe(found, machine, question.query.budget),
-                                remarkOnLimits(machine, criterion, reachesOf(question, criterion)));
-  ROS_INFO_STREAM_NAMED("server", response.message << " " << found.seconds << " s");
-  context_.health.noteComputation({ asked, response.message, found.seconds, isStopped(found) });
-  markers_.publish(inRoot(markersOf(response, machine), question.in, context_.frames.root().frame));
+  response.parallel = findingOf(report.found.parallel);
+  response.seconds = report.found.seconds;
+  response.message = report.message;
+  ROS_INFO_STREAM_NAMED("server", response.message << " " << response.seconds << " s");
+  context_.health.noteComputation({ asked, response.message, response.seconds, !report.isDecided() });
+  markers_.publish(inRoot(markersOf(response, *in.machine), in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

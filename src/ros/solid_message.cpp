@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/path.h"
+#include "pkm_workspace/ros/conversions.h"
 
 namespace pkm_workspace
 {
@@ -29,9 +30,9 @@ SolidKind kindOf(const SolidPrimitive& message)
                                   " must be BOX = 1, SPHERE = 2 or CYLINDER = 3");
   }
 }
-}  // namespace
 
-Solid fromMessage(const SolidPrimitive& message)
+/// @throws std::invalid_argument with the dimensions and what they must be, or with another type
+Solid read(const SolidPrimitive& message)
 {
   const SolidKind kind = kindOf(message);
   try
@@ -45,6 +46,34 @@ Solid fromMessage(const SolidPrimitive& message)
       text << (text.tellp() == std::streampos(0) ? "" : ", ") << length;
     throw std::invalid_argument("solid.dimensions = (" + text.str() + ") m " + reason.what());
   }
+}
+}  // namespace
+
+std::optional<PlacedSolid> fromMessage(const SolidPrimitive& message, const geometry_msgs::Point& center,
+                                       Problems& problems)
+{
+  const std::size_t before = problems.size();
+  PlacedSolid placed{ {}, fromMessage(center) };
+  try
+  {
+    placed.solid = read(message);
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    problems.push_back(reason.what());
+  }
+  requireFinite("center", placed.center, problems);
+  return problems.size() == before ? std::optional(placed) : std::nullopt;
+}
+
+std::optional<PlacedSolid> readRegion(bool given, const SolidPrimitive& message, const geometry_msgs::Point& center,
+                                      Problems& problems)
+{
+  if (given)
+    return fromMessage(message, center, problems);
+  if (!message.dimensions.empty() || fromMessage(center) != Eigen::Vector3d::Zero())
+    problems.push_back("solid and center must be empty and 0 [m] unless over = REGION");
+  return std::nullopt;
 }
 
 Bounds toMessage(const Interval& interval)

@@ -57,7 +57,14 @@ class Conditioning(AnalysisTest):
                                 (("--time-limit", 1e-9), "the time limit of 1e-09 s")):
             stopped = self.answer("conditioning", "--urdf", ORTHOGLIDE, *words)
             self.assertFalse(stopped["complete"])
-            self.assertIn(f"{ended_by} ended it", stopped["message"])
+            self.assertEqual(f"Nothing is proved of the global conditioning index: {ended_by} ended the computation.",
+                             stopped["message"])
+
+    def test_a_set_without_a_volume_has_no_index(self):
+        answer = self.answer("conditioning", "--urdf", ORTHOGLIDE, "--psi-min", 0.99, "--psi-max", 0.995)
+        self.assertEqual(answer["index"], [0, 1])
+        self.assertEqual(answer["message"], "Nothing is proved of the global conditioning index: the set has no proved "
+                         "volume.")
 
     def test_the_memory_is_a_limit(self):
         words = ("conditioning", "--urdf", ORTHOGLIDE, *CUBE, "--accuracy", "1e-9", "--max-memory", "50000")

@@ -84,6 +84,13 @@ class Path(CommandTest):
         self.assertEqual(answer["first"]["binding"]["limit"], "joint_lower")
         self.assertAlmostEqual(answer["first"]["bad_at"], 0.5, places=9)
 
+    def test_it_is_said_that_the_time_ended_it(self):
+        lines = ("start 0 0 0", *["line 0.1 0 0.01", "line 0 0.1 0"] * 20000)
+        answer = self.path(*lines, options=("--time-limit", 1e-6))
+        self.assertEqual((answer["verdict"], answer["end"]), ("undecided", "stopped"))
+        self.assertRegex(answer["message"], r"^Not decided on .*, because the time limit of 1e-06 s \(--time-limit\) "
+                         r"ended the proof\. Nothing that was looked at is proved to be outside\.$")
+
     def test_segments_on_the_command_line_mean_the_same(self):
         lines = ("start 0 0 0", "arc 0.1 0 0 0 0.1 0")
         words = [word for line in lines for word in ("--segment", line)]

@@ -88,6 +88,7 @@ class Pave(CommandTest):
             with self.subTest(budget):
                 answer = self.pave(ORTHOGLIDE, *budget)
                 self.assertEqual(answer["ended_by"], ended_by)
+                self.assertRegex(answer["message"], f"^Proved: .* Ended early by {ended_by}: .*\\.$")
                 self.assertIs(answer["complete"], False)
                 self.assertGreater(answer["boxes_pending"], 0)
                 self.assertVolume(answer, DEXTROUS, 1e-3)

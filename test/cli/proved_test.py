@@ -180,7 +180,8 @@ class Proved(CommandTest):
 
     def test_volumes(self):
         for name in self.urdfs:
-            for more in ((), ("--aspect", "other"), ("--set", "reachable", "--aspect", "both")):
+            for more in ((), ("--aspect", "other"), ("--set", "reachable", "--aspect", "both"),
+                         ("--max-boxes", 300), ("--joint-limits", "off")):
                 self.held(name, "pave", "--resolution", self.accuracy(name, 0.1), *more)
 
     def test_means(self):
@@ -189,6 +190,7 @@ class Proved(CommandTest):
             self.held(name, "conditioning", "--shape", "cube", "--center", *center, "--size",
                       0.3 * self.machines[name].span, definition="Reachable: all points, in either aspect.")
             self.held(name, "conditioning", "--accuracy", 0.1)
+            self.held(name, "conditioning", "--max-boxes", 1)
 
     def test_singularities(self):
         for name in self.urdfs:

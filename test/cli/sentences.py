@@ -22,6 +22,12 @@ LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on "
           r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
 MEAN = (rf"Proved: the global conditioning index is from (?P<lower>{N}) to (?P<upper>{N})"
         r"(?P<complete>, to the accuracy asked for)?\.(?: .*?\.)?")
+NO_MEAN = (r"Nothing is proved of the global conditioning index: "
+           r"(?:.* ended the computation|the set has no proved volume)\.")
+VOLUME = (rf"Proved: the points of the box that are {QUALITY} have an? (?P<measure>\w+) of (?P<bracket>{BRACKET}) "
+          r"m\^[23]\.(?: The rails are parallel: the box is flat, across the axis they run along, and in every plane "
+          r"parallel to it the area is the same\.)?(?P<early> Ended early by .*?: more time, boxes or memory give "
+          r"closer bounds\.)?(?: Joint limits are off: .*\.)?")
 STUDY = (r"Proved: (?:the machine with \S+ = (?P<parameter>\S+) m has the \w+ of size (?P<size>\S+) with its center at "
          r"(?P<center>\(.*?\)) m; no machine of the range has one|(?P<none>no machine of the range has a \w+)) "
          r"of a size above (?P<above>[\d.e+-]+?)"
@@ -47,11 +53,9 @@ CLAIMS = {
     "path inside": (r"Proved: every point of the path is in the set\.(?: (?P<remark>Joint limits are off: .*))?",
                     claims.path_inside),
     "path leaves": (LEAVES, claims.path_leaves),
-    "volume": (rf"Proved: the points of the box that are {QUALITY} have an? (?P<measure>\w+) of "
-               rf"(?P<bracket>{BRACKET}) m\^[23]\.(?: The rails are parallel: the box is flat, across the axis they "
-               r"run along, and in every plane parallel to it the area is the same\.)?(?: Ended early by .*)?",
-               claims.volume),
+    "volume": (VOLUME, claims.volume),
     "mean": (MEAN, table_claims.mean),
+    "no mean": (NO_MEAN, None),
     "singularities": (r"(?:Undecided: (?P<open>.*?), where .*?\. )?Proved: (?:no point that counts is singular|"
                       r"there are (?:(?P<there>.*), and )?no others)\.(?: (?P<remark>Joint limits are off: .*)|"
                       rf" {N}.*)?",

@@ -73,11 +73,11 @@ TEST(PathSentence, saysWhyNothingIsDecided)
   const std::vector<PathSegment> path(300, line(0.001));
   expectSays(sentenceOf(path, {}, query),
              "Not decided on segment [0-9]+, between t = 0\\.0+ and t = 1\\.0+ of its way, because [0-9]+ looks were "
-             "not enough "
-             "\\(max_looks\\)\\. Nothing that was looked at is proved to be outside\\.");
+             "not enough\\. Nothing that was looked at is proved to be outside\\.");
   const std::atomic<bool> stop(true);
   query.stop = &stop;
-  expectSays(sentenceOf(path, {}, query), "Not decided on segment 0, .* because it was stopped\\. .*");
+  expectSays(sentenceOf(path, {}, query),
+             "Not decided on segment 0, .* because a request to stop ended the proof\\. .*");
   expectSays(
       sentenceOf({ touching, PathSegment::line({ 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }) }, reachable()),
       "Proved: the path is outside the set on segment 1, near t = 0\\.625 of its way: the strut of 'rail_[xyz]' is 1 m "

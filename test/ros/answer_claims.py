@@ -177,9 +177,17 @@ def mean(case, match):
     table_claims.mean(case, match)
 
 
+def no_mean(case, match):
+    index = case.answer.index
+    hold((index.lower, index.upper, case.answer.complete) == (0, 1, False), match[0], index)
+
+
 def paving(case, match):
     answer = case.answer
-    hold(answer.complete == bool(match["complete"]) == (answer.boxes_pending == 0), answer.complete, case.text)
+    hold(answer.complete == (not match["early"]) == (answer.boxes_pending == 0), answer.complete, case.text)
+    lower, upper = bracket(match["bracket"])
+    hold(lower <= answer.volume_lower_bound <= answer.volume_upper_bound <= upper, answer, case.text)
+    hold({"volume": 3, "area": 2}[match["measure"]] == answer.dimension, answer.dimension, case.text)
     claims.measured(case, answer.volume_lower_bound, answer.volume_upper_bound, case.ends)
     volume_of = lambda low, high: math.prod(b - a for a, b in zip(xyz(low), xyz(high)) if b > a)
     listed = [(xyz(low), xyz(high), good) for boxes, good in ((answer.inside, True), (answer.boundary, False))

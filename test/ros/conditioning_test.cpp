@@ -73,6 +73,17 @@ TEST(ComputeConditioning, tellsThatNoPointIsReached)
   EXPECT_NE(std::string::npos, beyond.message.find("The struts reach no point of it")) << beyond.message;
 }
 
+TEST(ComputeConditioning, saysWhereNothingIsProved)
+{
+  Request request;
+  request.time_limit = 1e-9;
+  const auto nothing = call<ComputeConditioning>("compute_conditioning", request);
+  EXPECT_EQ(0.0, nothing.index.lower);
+  EXPECT_EQ(1.0, nothing.index.upper);
+  EXPECT_EQ("Nothing is proved of the global conditioning index: the time limit of 1e-09 s ended the computation.",
+            nothing.message);
+}
+
 TEST(ComputeConditioning, takesACylinderWithoutARadiusForTheLineThatItIs)
 {
   Request request = overCube();

@@ -25,8 +25,8 @@ CLAIMS = {
     "wide": (r"(?:.* ended the search: the bracket holds, but is wide|the accuracy is below what .*?)" + REMARK,
              answers.region),
     "mean": (sentences.MEAN, answers.mean),
-    "set": (r"(?P<complete>Every box down to the resolution was looked at\.)|A limit or a cancel ended it early: .*",
-            answers.paving),
+    "no mean": (sentences.NO_MEAN, answers.no_mean),
+    "set": (sentences.VOLUME, answers.paving),
     "comparison": (r"(?P<count>\d+) machines were compared\.", answers.comparison),
     "asked": ("computing: " + QUESTION, None),
     # log lines and /diagnostics: the answer to the question before it
@@ -34,7 +34,7 @@ CLAIMS = {
                     r"(?P<size_told>\S+), dimensions (?P<dimensions>[^m]*) m"
                     r"(?:, volume (?P<volume_told>\S+) m\^3)?\. )?"
                     rf"(?P<proof>{sentences.CLAIMS['largest'][0]}){EFFORT}", answers.region_told),
-    "set told": (rf"set of measure (?P<bracket>{N} to {N}) m\^(?P<dimension>[23]);{EFFORT}", answers.set_told),
+    "set told": (sentences.VOLUME + EFFORT, answers.set_told),
     "singularities told": (r"(?P<sentence>.*\.)(?: \S+ s)?", answers.singularities_told),
     "mean told": (rf"(?P<sentence>{sentences.MEAN})(?: \S+ s)?", answers.mean_told),
     "comparison told": (r"\d+ machines were compared\.", None),
@@ -62,7 +62,7 @@ SOURCES = {
     "compute_largest_region": REGION,
     "find_largest_region": REGION,
     "get_region": REGION,
-    "compute_conditioning": ("mean", ),
+    "compute_conditioning": ("mean", "no mean"),
     "compute_workspace": ("set", ),
     "approximate_workspace": ("set", ),
     "find_singularities": ("singularities", ),

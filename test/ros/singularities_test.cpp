@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "node_client.h"
-#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/paving/range_workspace.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -63,6 +63,10 @@ TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
   const auto found = find(request);
   ASSERT_EQ(ErrorCode::SUCCESS, found.error_code) << found.message;
   ASSERT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
+  const Machine machine = readUrdfFile(std::string(PKM_WORKSPACE_SOURCE_DIR) + "/urdf/orthoglide.urdf").machine;
+  const Interval range(-0.3, 0.55);
+  EXPECT_EQ(withJointLimits(machine, { range, range, range }).geometryHash(), found.hypotheses.geometry_hash);
+  EXPECT_TRUE(found.hypotheses.joint_limits);
   EXPECT_TRUE(std::regex_search(found.message, std::regex("^Proved: there are .*parallel"))) << found.message;
   EXPECT_EQ(0.0, found.parallel.least.lower);
   EXPECT_LE(found.parallel.min_corner.x, found.parallel.max_corner.x);

@@ -87,6 +87,36 @@ TEST(ComputeWorkspace, saysWhatItMeansForLimitsThatAreLeftAside)
   EXPECT_NE(std::string::npos, approximate(query).message.find(REMARK)) << approximate(query).message;
 }
 
+TEST(ComputeWorkspace, saysWhatIsProvedAndWhichLimitEndedIt)
+{
+  constexpr const char* PROOF =
+      "Proved: the points of the box that are dextrous in the machine's own aspect have a volume of [0-9.]+ to [0-9.]+ "
+      "m\\^3\\.";
+  const std::string whole = approximate(atResolution(0.1)).message;
+  EXPECT_TRUE(std::regex_match(whole, std::regex(PROOF))) << whole;
+  for (const bool by_memory : { false, true })
+  {
+    PavingRequest query = atResolution(1e-3);
+    query.criterion.psi_max = 1.75;  // nobody asked before
+    query.time_limit = by_memory ? 0.0 : 1e-6;
+    query.max_memory = by_memory ? 4096 : 0;
+    const std::string ended_by = by_memory ? "the limit of 4096 bytes of memory" : "the time limit of 1e-06 s";
+    const std::string message = approximate(query).message;
+    EXPECT_TRUE(std::regex_match(message, std::regex(PROOF + (" Ended early by " + ended_by) +
+                                                     ": more time, boxes or memory give closer bounds\\.")))
+        << message;
+  }
+}
+
+TEST(ComputeWorkspace, knowsAReachableSetMoreCloselyThanItsBoxes)
+{
+  PavingRequest query = atResolution(0.1);
+  query.criterion.set = CriterionRequest::REACHABLE;
+  const Workspace workspace = approximate(query).workspace;
+  EXPECT_LT(workspace.volume_inside, workspace.volume_lower_bound);
+  EXPECT_LT(workspace.volume_upper_bound, workspace.volume_inside + workspace.volume_boundary);
+}
+
 TEST(ComputeWorkspace, listsBoxesAsCoarselyAsItTakes)
 {
   PavingRequest query = atResolution(0.05);

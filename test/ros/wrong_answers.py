@@ -106,6 +106,7 @@ OTHER_SIDE = said(lambda text: text.replace("above", "ABOVE").replace("below", "
 REGION = (answered(larger), field("size_upper_bound", 0.7), swap("center.x", "size"),
           said(instead(r"off: .* leave.*", "off: all rails stay within their limits.")),
           swap("joint_ranges.0.lower", "joint_ranges.0.upper"), field("volume", 1.1), answered(without_status))
+MEASURE = said(times("have an? (?:volume|area) of ", 3))
 WRONG = {
     "inside": (in_a_large_region, field("verdict", 2)),
     "remark": (said(instead(r"Joint limits are off: .*", "Joint limits are off: 'rail_1' would leave its upper limit, "
@@ -122,14 +123,15 @@ WRONG = {
     "good point": (OTHER_SIDE, swap("psi.0", "psi.2"), swap("limit.value", "limit.margin"), field("verdict", 2)),
     "no good point": (OTHER_SIDE, swap("limit.value", "limit.margin"), field("verdict", 2)),
     "mean": (said(times("from ", 1.5)), swap("index.lower", "index.upper"), field("complete", 0)),
-    "set": (field("volume_lower_bound", 3), swap("inside", "boundary"), field("complete", 0)),
+    "no mean": (swap("index.lower", "index.upper"), ),
+    "set": (field("volume_lower_bound", 3), swap("inside", "boundary"), field("complete", 0), MEASURE),
     "singularities": (said(instead("there are .*, and no", "there are no")),
                       said(instead("Joint limits are off: .*", "Joint limits are off: 'rail_x' would leave its upper "
                                    "limit, 0.2 m, by at least 99 m.")), lambda case: changed(
         case, findings=[(*row[:2], "there" if row[2] == "none" else "none", *row[3:]) for row in case.findings])),
     "comparison": (figures("cube"), figures("volume for these"), figures("least |eta|")),
     "region told": (said(times("of a size above ", 0.7)), said(times(r"at \(", 9)), said(times("dimensions ", 1.5))),
-    "set told": (said(times("measure ", 3)), ),
+    "set told": (MEASURE, ),
     "label": (said(times(r"\w+ (?:of radius )?", 1.2)), ),
     "stroke": (said(times("stroke <=\n", 0.5)), ),
     "caption": (said(instead("own aspect|both aspects", "other aspect")), ),

@@ -22,6 +22,9 @@ double defaultAccuracy(const Machine& machine);
 /// Of a paving of the box: a twentieth of the longest strut, of a flat box a fortieth [m].
 double defaultResolution(const Machine& machine, const Box& box);
 
+/// Boxes that are looked at for a verdict on a region before it stays undecided.
+constexpr std::int64_t DEFAULT_CHECK_BOXES = 1000000;
+
 /// The most that boxes may take [bytes].
 constexpr std::int64_t DEFAULT_MEMORY = std::int64_t(1) << 30;
 }  // namespace pkm_workspace

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 
 #include "pkm_workspace/dexterity/region_check.h"
 
@@ -39,10 +38,6 @@ struct GlobalConditioning
   bool out_of_memory = false;  ///< the memory ended it
   double seconds = 0.0;
 };
-
-/// One sentence for people where there is more to tell than numbers: all is out of reach, or what kept the accuracy
-/// from being met; otherwise empty.
-std::string remarkOn(const GlobalConditioning& found, const Budget& budget);
 
 /// Encloses the global conditioning index over the part of a box that belongs to a set. Divides boxes where most is
 /// still uncertain, until the accuracy is met or the budget ends.

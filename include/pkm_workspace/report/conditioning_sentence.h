@@ -7,7 +7,7 @@
 
 namespace pkm_workspace
 {
-/// Says what is proved about the global conditioning index, and what kept the accuracy from being met.
+/// Says what is proved about the global conditioning index, if anything, and what kept the accuracy from being met.
 /// @param budget that the computation was given
 std::string describe(const GlobalConditioning& found, const Budget& budget);
 }  // namespace pkm_workspace

@@ -10,6 +10,9 @@
 
 namespace pkm_workspace
 {
+/// Whether a paving's box is the section across rails along which nothing changes (defaultBox()).
+bool isSectionOfAll(const Machine& machine, const Paving& paving);
+
 /// How far each rail goes over the points of a set, for remarkOnLimits(); all of this takes milliseconds.
 ///
 /// Over the part of the set in the box of a paving: the ends that are reached are known from the paving's inner boxes,

@@ -4,6 +4,7 @@
 #include <pkm_workspace/ComputeConditioning.h>
 
 #include "pkm_workspace/ros/node_context.h"
+#include "pkm_workspace/tasks/conditioning.h"
 
 namespace pkm_workspace
 {
@@ -15,6 +16,7 @@ public:
   explicit ConditioningService(NodeContext& context);
 
 private:
+  ConditioningTask read(const ComputeConditioning::Request& request) const;
   void compute(const ComputeConditioning::Request& request, ComputeConditioning::Response& response);
 
   NodeContext& context_;

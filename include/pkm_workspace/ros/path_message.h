@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "pkm_workspace/region/path_check.h"
+#include "pkm_workspace/tasks/path.h"
 
 namespace pkm_workspace
 {
@@ -27,5 +27,5 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine);
 /// Fills all that the evaluation tells.
 void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response);
 /// All but the verdicts on the segments.
-void fill(const PathResult& result, const Machine& machine, CheckPath::Response& response);
+void fill(const PathReport& report, const Machine& machine, CheckPath::Response& response);
 }  // namespace pkm_workspace

@@ -5,12 +5,16 @@
 #include <pkm_workspace/PavingRequest.h>
 #include <pkm_workspace/Workspace.h>
 
-#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/parameters.h"
+#include "pkm_workspace/tasks/paving.h"
 
 namespace pkm_workspace
 {
+/// What the fields of a PavingRequest can do about what has no bounded answer.
+const Remedy PAVING_REMEDY{ "joint_limits = ON", "a box by use_box" };
+
 /// What is asked, and of which machine.
 struct PavingQuestion
 {
@@ -26,10 +30,8 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
                            const Parameters& parameters, double longest);
 
 /// @param stamp of the message
-Workspace toMessage(const PavingQuestion& question, const Paving& paving, const ros::Time& stamp);
+Workspace toMessage(const PavingQuestion& question, const PavingReport& report, const ros::Time& stamp);
 
 /// One line for people: what is asked for.
 std::string describe(const PavingQuery& query);
-/// One line for people: measures and effort.
-std::string summary(const Paving& paving);
 }  // namespace pkm_workspace

@@ -25,14 +25,14 @@ private:
 
   PavingQuestion read(const PavingRequest& request, double longest) const;
   void approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result);
-  /// Paves, or goes on from the last paving where that is about the same.
   Workspace compute(PavingQuestion question, const StopFlag& stop);
+  /// Paves, or goes on from the last paving where that is about the same.
+  PavingReport goOn(const PavingQuestion& question) const;
   void show(const FramedMachine& in, Workspace workspace, const Paving& paving);
-  std::shared_ptr<const Paving> last() const;
 
   NodeContext& context_;
   mutable std::mutex mutex_;
-  std::shared_ptr<const Paving> last_;  ///< of service or action
+  std::shared_ptr<const PavingReport> last_;  ///< of service or action
   ros::Publisher workspace_;
   ros::Publisher markers_;
   ros::ServiceServer service_;

@@ -3,12 +3,8 @@
 
 #include <pkm_workspace/FindSingularities.h>
 
-#include <optional>
-
-#include "pkm_workspace/dexterity/singularity.h"
-#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/ros/node_context.h"
-#include "pkm_workspace/ros/solid_message.h"
+#include "pkm_workspace/tasks/singularities.h"
 
 namespace pkm_workspace
 {
@@ -20,18 +16,15 @@ public:
   explicit SingularityService(NodeContext& context);
 
 private:
-  /// Where to look, and in which machine: its joint limits stand for the ranges that are asked about.
+  /// Where to look, and in which machine: the ranges that are asked about are the limits of its joints, and what the
+  /// answer is proved of.
   struct Question
   {
-    SingularityQuery query;
+    SingularityTask task;
     FramedMachine in;
-    std::optional<Solid> solid;  ///< of a region
-    Eigen::Vector3d center;      ///< of that
   };
 
   Question read(const FindSingularities::Request& request) const;
-  /// How far the rails go for the points that count, where limits are left aside.
-  static std::optional<JointReaches> reachesOf(const Question& question, const Criterion& criterion);
   void find(const FindSingularities::Request& request, FindSingularities::Response& response);
 
   NodeContext& context_;

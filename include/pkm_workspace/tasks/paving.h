@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/region/beyond_limits.h"
+
+namespace pkm_workspace
+{
+/// A paving, and what is told beside it.
+struct PavingReport
+{
+  Paving paving;
+  Interval measure;  ///< encloses the volume of the set in the box, of a flat box the area [m^dimension]; of a set
+                     ///< without factors more closely than the boxes do
+  std::optional<JointReaches> reaches;  ///< over that set, where joint limits are left aside
+  std::string ended_by;                 ///< "the time limit of 20 s"; empty where every box was looked at
+
+  /// What is proved, and what that means for limits that are left aside.
+  std::string message(const Machine& machine) const;
+};
+
+/// What a query is paved at that asks for no resolution: a share of the longest strut [m].
+/// @throws std::invalid_argument when the set has no bounds
+double defaultResolution(const Machine& machine, const PavingQuery& query);
+
+/// Paves, or goes on from an earlier paving.
+/// @throws std::invalid_argument as pave() and resume()
+PavingReport reportPaving(const Machine& machine, const PavingQuery& query, const Paving* earlier);
+}  // namespace pkm_workspace
