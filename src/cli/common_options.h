@@ -79,9 +79,11 @@ class AccuracyOption
 {
 public:
   void declare(Options& options, const std::string& help);
-  /// What was asked for, or the default for the machine [m].
-  double valueFor(const Machine& machine) const { return accuracy_ ? *accuracy_ : defaultAccuracy(machine); }
-  const std::optional<double>& given() const { return accuracy_; }
+  /// What was asked for, or the default for the machine and the shape [m].
+  double valueFor(const Machine& machine, const Shape& shape) const
+  {
+    return accuracy_ ? *accuracy_ : defaultAccuracy(machine, shape);
+  }
 
 private:
   std::optional<double> accuracy_;

@@ -6,6 +6,7 @@
 #include "comparison.h"
 #include "paper_tables.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/report/largest_sentence.h"
 #include "progress.h"
 
 namespace pkm_workspace
@@ -14,9 +15,6 @@ namespace cli
 {
 namespace
 {
-/// Relative.
-constexpr double VOLUME_ACCURACY = 5e-3;
-
 Json jsonOf(const Singularities& found)
 {
   return { { "serial", toJson(least(found.serial)) }, { "parallel", toJson(found.parallel) } };
@@ -32,7 +30,7 @@ Json jsonOf(const Comparison& study)
   json["size"] = study.region.size;
   json["size_upper_bound"] = study.region.size_upper_bound;
   json["status"] = name(study.region.status);
-  json["message"] = study.region.message;
+  json["message"] = endingOf(study.region, study.machine, study.query.criterion);
   if (isSolid(*study.region.shape))
   {
     json["volume"] = study.region.volume;
@@ -47,7 +45,7 @@ Json jsonOf(const Comparison& study)
                                      { "upper", study.ranges.outer[i].upper() },
                                      { "inner", toJson(study.ranges.inner[i]) } });
   if (found)
-    addLimits(study.machine, study.query.criterion, reachOver(study.region.joint_ranges), json);
+    addLimits(study.machine, study.query.criterion, reachOver(study.region), json);
   for (const Figure& figure : figuresOf(study))
   {
     json["figures"][figure.key] = toJson(figure.value);
@@ -108,13 +106,6 @@ std::string singularities(const std::vector<Comparison>& studies)
       rows.push_back({ "in the region", name, "no region", "" });
   }
   return aligned(rows, Align::LEFT);
-}
-
-/// What the region means for the machine's limits.
-std::string limitsOf(const Comparison& study)
-{
-  const bool found = study.region.size > 0.0;
-  return found ? remarkOnLimits(study.machine, study.query.criterion, reachOver(study.region.joint_ranges)) : "";
 }
 
 class Compare : public Command
@@ -179,11 +170,13 @@ private:
     std::string regions;
     for (const UrdfMachine& urdf : machines_.machines())
     {
-      query_.accuracy = accuracy_.valueFor(urdf.machine);
+      query_.accuracy = accuracy_.valueFor(urdf.machine, *query_.shape);
       studies.push_back(comparisonOf(urdf.machine, query_, VOLUME_ACCURACY, tell));
       json["machines"].push_back(jsonOf(studies.back()));
-      regions += wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() +
-                         "': " + studies.back().region.message + ". " + limitsOf(studies.back()));
+      regions +=
+          wrapped("Largest " + studies.back().region.shape->name() + " of machine '" + urdf.machine.name() + "': " +
+                  withRemark(studies.back().region.message + ".",
+                             remarkOnLimits(urdf.machine, query_.criterion, reachOver(studies.back().region))));
     }
     return { json, regions + "\n" + table(studies) + "\n" + singularities(studies) + "\n" +
                        wrapped("The strokes are equalised: each begins at the least value of its own joint over the "
@@ -198,7 +191,7 @@ private:
     Json json = toJson(criterion);
     json["rows"] = Json::array();
     std::vector<Words> lines = { { "place", "what", "paper", "ours", "the paper's" } };
-    for (const PaperRow& row : paperRows(accuracy_.valueFor(orthoglide()), query_.budget, tell))
+    for (const PaperRow& row : paperRows(accuracy_.valueFor(orthoglide(), *query_.shape), query_.budget, tell))
     {
       json["rows"].push_back(jsonOf(row));
       lines.push_back({ row.place, row.what, row.paper, row.ours, row.holds ? *row.holds ? "holds" : "fails" : "-" });

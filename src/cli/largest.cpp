@@ -29,11 +29,11 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["size_upper_bound"] = region.size_upper_bound;
   json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
   if (found)
-    addLimits(machine, query.criterion, reachOver(region.joint_ranges), json);
+    addLimits(machine, query.criterion, reachOver(region), json);
   json["boxes"] = region.boxes;
   json["verification_boxes"] = region.verification_boxes;
   json["seconds"] = region.seconds;
-  json["message"] = region.message;
+  json["message"] = endingOf(region, machine, query.criterion);
   json["ratio"] = region.ratio ? Json{ region.ratio->lower, region.ratio->upper } : Json();
   if (isSolid(shape))
   {
@@ -106,7 +106,7 @@ public:
   {
     const Machine& machine = machine_.machine();
     Progress progress(progress_);
-    query_.accuracy = accuracy_.given() ? *accuracy_.given() : defaultAccuracy(machine, *query_.shape);
+    query_.accuracy = accuracy_.valueFor(machine, *query_.shape);
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
     query_.budget.stop = stopOnSignal();
     query_.progress = [&progress, this](const RegionProgress& state) {
@@ -143,9 +143,7 @@ private:
       text += table(machine_.machine(), region.joint_ranges, decimals) + "\n";
     return text + wrapped(describe(region, machine_.machine(), query_, center_.has_value())) +
            wrapped(definition(machine_.machine(), query_.criterion)) +
-           wrapped(region.size > 0.0
-                       ? remarkOnLimits(machine_.machine(), query_.criterion, reachOver(region.joint_ranges))
-                       : "");
+           wrapped(remarkOnLimits(machine_.machine(), query_.criterion, reachOver(region)));
   }
 
   static std::string dimensions(const Shape& shape, double size, int decimals)

@@ -5,6 +5,7 @@
 #include "common_options.h"
 #include "comparison.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/study/best_parameter.h"
 #include "progress.h"
 
@@ -132,7 +133,7 @@ private:
       query_.family = parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda();
     else
       return;
-    query_.region.accuracy = accuracy_.valueFor(query_.family.at(Interval(range_->lower)));
+    query_.region.accuracy = accuracy_.valueFor(query_.family.at(Interval(range_->lower)), *query_.region.shape);
     query_.family.at(Interval(range_->upper));
   }
 
@@ -156,12 +157,12 @@ private:
     json["size_upper_bound"] = finite(region.size_upper_bound);
     json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
     if (found)
-      addLimits(machine, query_.region.criterion, reachOver(region.joint_ranges), json);
+      addLimits(machine, query_.region.criterion, reachOver(region), json);
     json["candidates"] = toJson(best.candidates);
     json["parts"] = toJson(parts);
     json["boxes"] = region.boxes;
     json["seconds"] = region.seconds;
-    json["message"] = region.message;
+    json["message"] = endingOf(region, machine, query_.region.criterion);
     return json;
   }
 
@@ -185,8 +186,7 @@ private:
            exact(query_.range.lower()) + " to " + exact(query_.range.upper()) + unit + "\n\n" +
            aligned(rows, Align::LEFT) + "\n" + table(parts) + wrapped(proof(best)) +
            wrapped(definition(machine, query_.region.criterion)) +
-           wrapped(region.size > 0.0 ? remarkOnLimits(machine, query_.region.criterion, reachOver(region.joint_ranges))
-                                     : "");
+           wrapped(remarkOnLimits(machine, query_.region.criterion, reachOver(region)));
   }
 
   std::string table(const std::vector<BestParameter>& parts) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/common/text.h"
 
+#include <cctype>
+
 namespace pkm_workspace
 {
 namespace
@@ -22,6 +24,13 @@ std::string shortened(const std::string& text, std::size_t most)
   while (begin < text.size() && !beginsCharacter(text[begin]))
     ++begin;
   return text.substr(0, end) + " [" + std::to_string(begin - end) + " bytes left out] " + text.substr(begin);
+}
+
+std::string sentence(std::string phrase)
+{
+  if (!phrase.empty())
+    phrase.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(phrase.front())));
+  return phrase + ".";
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/report/largest_sentence.h"
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
@@ -20,6 +21,16 @@ std::string tooLarge(const LargestRegion& region, int decimals)
          roundedUp(region.volume_upper_bound, decimalsFor(region.volume, region.volume_upper_bound)) + " m^3";
 }
 }  // namespace
+
+std::optional<JointReaches> reachOver(const LargestRegion& region)
+{
+  return region.size > 0.0 ? std::optional(reachOver(region.joint_ranges)) : std::nullopt;
+}
+
+std::string endingOf(const LargestRegion& region, const Machine& machine, const Criterion& criterion)
+{
+  return withRemark(sentence(region.message), remarkOnLimits(machine, criterion, reachOver(region)));
+}
 
 int decimalsOf(const LargestRegion& region, double accuracy)
 {

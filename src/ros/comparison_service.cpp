@@ -13,8 +13,6 @@ namespace pkm_workspace
 {
 namespace
 {
-/// Of volumes, relative.
-constexpr double VOLUME_ACCURACY = 5e-3;
 constexpr std::size_t MOST_MACHINES = 16;
 
 /// The others, each in the frame of its own root link.

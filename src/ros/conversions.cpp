@@ -5,7 +5,6 @@
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -189,10 +188,7 @@ Region toMessage(const Answer& answer, const ros::Time& stamp)
   message.boxes = region.boxes;
   message.verification_boxes = region.verification_boxes;
   message.seconds = region.seconds;
-  message.message = region.message;
-  if (region.size > 0.0)
-    message.message =
-        withRemark(message.message, remarkOnLimits(machine, query.criterion, reachOver(region.joint_ranges)));
+  message.message = endingOf(region, machine, query.criterion);
   return message;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/criterion_service.h"
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/region/center_space.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -30,6 +31,6 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
   context_.setCriterion(query.criterion, query.accuracy);
   changed_();
   response.hypotheses = toMessage(context_.frames.root().premises(query.criterion), query.accuracy);
-  response.message = "computing: " + describe(query);
+  response.message = sentence("computing: " + describe(query));
 }
 }  // namespace pkm_workspace

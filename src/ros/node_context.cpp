@@ -55,7 +55,7 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   , frames(urdf.machine, frameOf(private_handle, urdf.root_link), framesOf(private_handle, urdf.moved_links))
   , query_(parameters.query)
 {
-  query_.accuracy = parameters.accuracy > 0.0 ? parameters.accuracy : defaultAccuracy(machine());
+  query_.accuracy = parameters.accuracy > 0.0 ? parameters.accuracy : defaultAccuracy(machine(), *query_.shape);
   requireAnswerable(machine(), query_);
   logMachine(urdf, frames.root().frame);
   computing.setCallbackQueue(&worker.queue());

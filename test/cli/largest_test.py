@@ -165,7 +165,7 @@ class Largest(CommandTest):
         for words, ended_by in ((("--time-limit", 1e-9), "the time limit of 1e-09 s"),
                                 (("--max-boxes", 2), "the limit of 2 boxes")):
             answer = self.largest(ORTHOGLIDE, "--accuracy", 1e-9, *words)
-            self.assertEqual(answer["message"], ended_by + " ended the search: the bracket holds, but is wide")
+            self.assertEqual(answer["message"], f"T{ended_by[1:]} ended the search: the bracket holds, but is wide.")
 
     def test_no_limit_of_time_can_be_asked_for(self):
         self.assertProven(self.largest(ORTHOGLIDE, "--time-limit", 0), CUBE, 1e-12)

@@ -39,6 +39,7 @@ class Limits(CommandTest):
             self.assertGreaterEqual(joint["lower"], LOWER - TOUCH)
             self.assertLessEqual(joint["upper"], UPPER + TOUCH)
         self.assertNotIn("beyond_limits", answer)
+        self.assertNotIn("Joint limits", answer["message"])
 
     def test_without_them_the_answer_tells_what_it_breaks(self):
         words = ("largest", "--urdf", LEAN, *DISC, "--joint-limits", "off")
@@ -53,6 +54,7 @@ class Limits(CommandTest):
             told = re.search(f"'{one['joint']}' would leave its upper limit, 0.35 m, by at least ([0-9.]+) m", text)
             self.assertLessEqual(float(told.group(1)), one["by"][0])
             self.assertGreater(float(told.group(1)), 0.9 * one["by"][0])
+            self.assertIn(told[0], answer["message"])
 
     def test_boxes_paths_and_points_tell_it_too(self):
         near = self.file("near.urdf", self.with_limits(ORTHOGLIDE, -0.1, 0.15))
@@ -87,7 +89,7 @@ class Limits(CommandTest):
                 told = re.search(r"Joint limits are off: .*'rail_x' would leave its upper limit, 0.15 m, by at least "
                                  r"([0-9.]+) m", re.sub(r"\s+", " ", text))
                 self.assertLessEqual(float(told[1]), beyond["by"][0])
-                self.assertIn(told[0], answer.get("message", told[0]))
+                self.assertIn(told[0], answer["message"])
                 kept = self.answer(*words)
                 self.assertNotIn("beyond_limits", kept)
                 self.assertNotIn("Joint limits are off", self.text(*words))
@@ -124,6 +126,9 @@ class Scale(CommandTest):
         self.assertEqual(largest["status"], "proven")
         self.assertEqual(self.answer("largest", "--urdf", ORTHOGLIDE)["accuracy"], 1e-3)
         self.assertEqual(self.answer("compare", *small, "--shape", "disc")["machines"][0]["accuracy"], 7e-5)
+        long = (*small, "--shape", "box", "--proportions", *[1e9] * 3, "--max-boxes", 100)  # its unit is a thousand km
+        self.assertEqual(self.answer("compare", *long)["machines"][0]["accuracy"],
+                         self.answer("largest", *long)["accuracy"])
         self.assertEqual(self.answer("pave", "--urdf", ORTHOGLIDE)["resolution"], 0.05)
         self.assertLess(self.answer("pave", *small)["resolution"], 0.004)
 

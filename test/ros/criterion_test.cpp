@@ -58,6 +58,7 @@ TEST(SetCriterion, computesAgainAndLatches)
 {
   const auto response = set(psi(1.0 / 3.0, 3.0), 0.01);
   ASSERT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+  EXPECT_TRUE(std::regex_match(response.message, std::regex("Computing: largest cube, .*\\."))) << response.message;
   EXPECT_EQ(3.0, response.hypotheses.psi_max);
   EXPECT_EQ(0.01, response.hypotheses.accuracy);
   const auto region =

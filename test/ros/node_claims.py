@@ -12,7 +12,7 @@ from reasons import N, hold
 
 QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularities of|global conditioning index of|"
             r"comparison by the largest) .*)")
-REMARK = r"(?:\. (?P<remark>Joint limits are off: .*))?"
+REMARK = r"(?: (?P<remark>Joint limits are off: .*))?"
 EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
               "path inside", "path leaves", "singularities")
@@ -20,15 +20,15 @@ BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "goo
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
     **{name: sentences.CLAIMS[name] for name in BY_COMMAND},
-    "region": (r"(?P<proven>proved to the accuracy asked for)" + REMARK, answers.region),
-    "no region": (r"(?P<none>no (?:region|cylinder) .*, proved)", answers.region),
-    "wide": (r"(?:.* ended the search: the bracket holds, but is wide|the accuracy is below what .*?)" + REMARK,
+    "region": (r"(?P<proven>Proved to the accuracy asked for)\." + REMARK, answers.region),
+    "no region": (r"(?P<none>No (?:region|cylinder) .*, proved)\.", answers.region),
+    "wide": (r"(?:.* ended the search: the bracket holds, but is wide|The accuracy is below what .*?)\." + REMARK,
              answers.region),
     "mean": (sentences.MEAN, answers.mean),
     "no mean": (sentences.NO_MEAN, answers.no_mean),
     "set": (sentences.VOLUME, answers.paving),
     "comparison": (r"(?P<count>\d+) machines were compared\.", answers.comparison),
-    "asked": ("computing: " + QUESTION, None),
+    "asked": ("Computing: " + QUESTION + r"\.", None),
     # log lines and /diagnostics: the answer to the question before it
     "region told": (r"(?:(?P<found>\w+) at \((?P<center>.*?)\) m of frame '\w+', .*? "
                     r"(?P<size_told>\S+), dimensions (?P<dimensions>[^m]*) m"

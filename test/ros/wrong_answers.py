@@ -118,7 +118,7 @@ WRONG = {
     "path leaves": (swap("good_until", "bad_at"), swap("limit.value", "limit.margin"), said(times("t = ", 0.9)),
                     said(times("t = ", 1.1)), OTHER_SIDE),
     "region": REGION,
-    "no region": (said(instead(".*", "proved to the accuracy asked for")), field("status", 0)),
+    "no region": (said(instead(".*", "Proved to the accuracy asked for.")), field("status", 0)),
     "wide": REGION[:1],
     "good point": (OTHER_SIDE, swap("psi.0", "psi.2"), swap("limit.value", "limit.margin"), field("verdict", 2)),
     "no good point": (OTHER_SIDE, swap("limit.value", "limit.margin"), field("verdict", 2)),

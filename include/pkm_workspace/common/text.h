@@ -11,6 +11,9 @@ namespace pkm_workspace
 /// does not grow with it. Characters of UTF-8 stay whole.
 std::string shortened(const std::string& text, std::size_t most);
 
+/// A phrase with a capital letter and a full stop.
+std::string sentence(std::string phrase);
+
 /// The words with the separator between them.
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 }  // namespace pkm_workspace
