@@ -15,7 +15,7 @@ namespace cli
 {
 namespace
 {
-Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegion& region)
+Json answerJson(const Machine& machine, const RegionQuery& query, const LargestRegion& region)
 {
   const Shape& shape = *region.shape;
   const bool found = region.size > 0.0;
@@ -23,11 +23,11 @@ Json toJson(const Machine& machine, const RegionQuery& query, const LargestRegio
   json["status"] = name(region.status);
   json["shape"] = shape.name();
   json["accuracy"] = query.accuracy;
-  json["center"] = found ? cli::toJson(region.center) : Json();
+  json["center"] = found ? toJson(region.center) : Json();
   json["dimensions"] = found ? Json(shape.dimensions(region.size)) : Json();
   json["size"] = region.size;
   json["size_upper_bound"] = region.size_upper_bound;
-  json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
+  json["joint_ranges"] = found ? toJson(machine, region.joint_ranges) : Json::array();
   if (found)
     addLimits(machine, query.criterion, reachOver(region), json);
   json["boxes"] = region.boxes;
@@ -117,7 +117,7 @@ public:
     };
     const LargestRegion region =
         center_ ? largestRegionAt(machine, query_, *center_) : findLargestRegion(machine, query_);
-    return { toJson(machine, query_, region), print(region) };
+    return { answerJson(machine, query_, region), print(region) };
   }
 
 private:

@@ -16,14 +16,14 @@ namespace cli
 {
 namespace
 {
-Json toJson(const PathMotion& motion)
+Json motionJson(const PathMotion& motion)
 {
-  return { { "psi", cli::toJson(motion.psi) },
-           { "rho", cli::toJson(motion.joint) },
+  return { { "psi", toJson(motion.psi) },
+           { "rho", toJson(motion.joint) },
            { "joint_speed", { motion.joint_speed[0], motion.joint_speed[1], motion.joint_speed[2] } } };
 }
 
-const char* name(PathResult::End end)
+const char* endName(PathResult::End end)
 {
   constexpr const char* NAMES[] = { "complete", "looks", "stopped" };  // as PathResult::End
   return NAMES[static_cast<std::size_t>(end)];
@@ -106,12 +106,12 @@ public:
     const PathReport report = check();
     const PathResult& result = report.result;
     Json json = contextOf(machine, criterion_);
-    json["verdict"] = cli::name(result.verdict);
+    json["verdict"] = name(result.verdict);
     json["tool_speed"] = task_.query.tool_speed;
     json["looks"] = result.looks;
-    json["end"] = name(result.end);
+    json["end"] = endName(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
-    json["motion"] = result.motion ? toJson(*result.motion) : Json();
+    json["motion"] = result.motion ? motionJson(*result.motion) : Json();
     if (result.motion)
       addLimits(machine, criterion_, report.reaches, json);
     json["message"] = report.message;
@@ -152,10 +152,10 @@ private:
   static Json segmentOf(const SegmentCheck& check, const std::string& place)
   {
     return { { "place", place },
-             { "verdict", cli::name(check.verdict) },
+             { "verdict", name(check.verdict) },
              { "good_until", check.good_until },
              { "bad_at", check.bad_at ? Json(*check.bad_at) : Json() },
-             { "motion", check.motion ? toJson(*check.motion) : Json() } };
+             { "motion", check.motion ? motionJson(*check.motion) : Json() } };
   }
 
   Json firstOf(const PathResult& result) const
@@ -166,15 +166,15 @@ private:
     for (const PathPart& part : result.first->open)
       json["open"].push_back({ part.first, part.last });
     json["segment"] = result.first->segment;
-    json["point"] = cli::toJson(result.first->point);
-    json["binding"] = cli::toJson(machine_.machine(), result.first->limit);
+    json["point"] = toJson(result.first->point);
+    json["binding"] = toJson(machine_.machine(), result.first->limit);
     return json;
   }
 
   std::string print(const PathReport& report) const
   {
     const PathResult& result = report.result;
-    std::vector<Words> rows = { { "verdict", cli::name(result.verdict) } };
+    std::vector<Words> rows = { { "verdict", name(result.verdict) } };
     if (result.motion)
       addMotion(*result.motion, rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });

@@ -82,7 +82,7 @@ void writeBoxes(const BoxTree& tree, std::int64_t most, std::ostream& out)
   out << "\n  }";
 }
 
-Json toJson(const Machine& machine, const Paved& paved)
+Json pavedJson(const Machine& machine, const Paved& paved)
 {
   const std::vector<PavingReport>& reports = paved.reports;
   const PavingReport& asked = reports[paved.asked];
@@ -93,7 +93,7 @@ Json toJson(const Machine& machine, const Paved& paved)
   json["other_aspect"] = bracketOf(reports.back());
   json["dimension"] = Measure(whole.box).dimension;
   json["resolution"] = whole.resolution;
-  json["box"] = cli::toJson(whole.box);
+  json["box"] = toJson(whole.box);
   json["boxes"] = whole.boxes;
   json["boxes_here"] = whole.boxes_here;
   json["boxes_inside"] = whole.tree.count(CellState::INSIDE);
@@ -134,7 +134,7 @@ std::string print(const Machine& machine, const Paved& paved)
 
 Answer answerOf(const Machine& machine, const Paved& paved)
 {
-  Answer answer{ toJson(machine, paved), print(machine, paved) };
+  Answer answer{ pavedJson(machine, paved), print(machine, paved) };
   if (paved.most_listed > 0)
     answer.long_members["listed"] = [&paved](std::ostream& out) {
       writeBoxes(paved.reports[paved.asked].paving.tree, paved.most_listed, out);

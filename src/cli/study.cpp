@@ -15,7 +15,7 @@ namespace cli
 {
 namespace
 {
-Json toJson(const std::vector<StudyPart>& candidates)
+Json candidatesJson(const std::vector<StudyPart>& candidates)
 {
   Json json = Json::array();
   for (const StudyPart& part : candidates)
@@ -25,7 +25,7 @@ Json toJson(const std::vector<StudyPart>& candidates)
   return json;
 }
 
-Json toJson(const std::vector<BestParameter>& parts)
+Json partsJson(const std::vector<BestParameter>& parts)
 {
   Json json = Json::array();
   for (const BestParameter& part : parts)
@@ -151,15 +151,15 @@ private:
     json["accuracy"] = query_.region.accuracy;
     json["status"] = name(region.status);
     json["parameter"] = found ? Json(best.parameter) : Json();
-    json["center"] = found ? cli::toJson(region.center) : Json();
+    json["center"] = found ? toJson(region.center) : Json();
     json["dimensions"] = found ? Json(region.shape->dimensions(region.size)) : Json();
     json["size"] = region.size;
     json["size_upper_bound"] = finite(region.size_upper_bound);
-    json["joint_ranges"] = found ? cli::toJson(machine, region.joint_ranges) : Json::array();
+    json["joint_ranges"] = found ? toJson(machine, region.joint_ranges) : Json::array();
     if (found)
       addLimits(machine, query_.region.criterion, reachOver(region), json);
-    json["candidates"] = toJson(best.candidates);
-    json["parts"] = toJson(parts);
+    json["candidates"] = candidatesJson(best.candidates);
+    json["parts"] = partsJson(parts);
     json["boxes"] = region.boxes;
     json["seconds"] = region.seconds;
     json["message"] = endingOf(region, machine, query_.region.criterion);

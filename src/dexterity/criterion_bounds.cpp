@@ -2,7 +2,6 @@
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "pkm_workspace/interval/decimal.h"
 
@@ -20,7 +19,6 @@ const CriterionBound* firstBound(const Condition& condition)
 
 Interval inverse(const Interval& x)
 {
-  constexpr double INF = std::numeric_limits<double>::infinity();
   const double lower = x.upper() < INF ? (Interval(1.0) / Interval(x.upper())).lower() : 0.0;
   return { std::max(0.0, lower), x.lower() > 0.0 ? (Interval(1.0) / Interval(x.lower())).upper() : INF };
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
@@ -15,7 +14,6 @@ namespace pkm_workspace
 namespace
 {
 using Kind = Limit::Kind;
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 Criterion reachOnly()
 {

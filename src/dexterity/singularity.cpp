@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "pkm_workspace/common/branch_and_bound.h"
@@ -20,7 +19,6 @@ using Eigen::Vector3d;
 using Form = AffineForm<double>;
 using Spheres = std::vector<StrutSphere>;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
 /// The measures: eta_i^2 for i = 0, 1, 2, then det A.
 constexpr std::size_t PARALLEL = 3;
 constexpr double FINE = 1e-6;  ///< size of the box around a singularity that is looked for, in struts

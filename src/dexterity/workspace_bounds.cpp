@@ -2,7 +2,6 @@
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/dexterity/unbounded.h"
@@ -14,7 +13,6 @@ namespace
 {
 /// In struts.
 constexpr double LONGEST = 1000.0;
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 const Box EVERYWHERE{ Eigen::Vector3d::Constant(-INF), Eigen::Vector3d::Constant(INF) };
 

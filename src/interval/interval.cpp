@@ -16,8 +16,6 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 using subnormal::keeping;
 using MpfrFunction = int (*)(mpfr_t, const mpfr_t, mpfr_rnd_t);
 

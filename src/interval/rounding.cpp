@@ -14,7 +14,6 @@ namespace rounding
 namespace
 {
 constexpr double MAX = std::numeric_limits<double>::max();
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 /// Below this magnitude an error term may underflow: its sign is then taken from operands scaled by powers of two.
 /// Where operands and result are above, nothing is subnormal on the way.

@@ -16,9 +16,9 @@ using Form = AffineForm<double>;
 /// Slopes below this share of the steepest one count as an error: the formula divides by each slope.
 constexpr double FLAT = 1e-3;
 /// Boxes that a thread takes at a time.
-constexpr std::size_t CHUNK = 256;
+constexpr std::size_t BOUNDARY_CHUNK = 256;
 /// Boxes that are held at a time.
-constexpr std::size_t BLOCK = 256 * CHUNK;
+constexpr std::size_t BOUNDARY_BLOCK = 256 * BOUNDARY_CHUNK;
 
 Interval withinShares(const Interval& x)
 {
@@ -26,7 +26,7 @@ Interval withinShares(const Interval& x)
 }
 
 /// The share of a box at which all conditions hold, so far.
-struct Share
+struct BoundaryShare
 {
   const std::array<Interval, 3> deviation;  ///< of delta from where the box has it
   double lower = 1.0;                       ///< 1 - the sum of what each condition may cut off
@@ -52,7 +52,7 @@ struct Share
 Interval shareOfSet(const MachineModel<double>& model, const Box& box)
 {
   const CenteredBox<double> centered(box);
-  Share share{ deviations(box, centered) };
+  BoundaryShare share{ deviations(box, centered) };
   model.visitScalars(model.legs().evaluate(centered), centered, share);
   return { std::min(share.lower, share.upper), share.upper };
 }
@@ -116,11 +116,11 @@ Interval reachableVolume(const Machine& machine, const Criterion& criterion, con
   ThreadPool pool(budget.threads);
   const BoxTree& tree = paving.tree;
   Interval volume = paving.volume_inside;
-  tree.each(CellState::BOUNDARY, BLOCK, [&](std::size_t level, const std::vector<Box>& boxes) {
-    std::vector<Interval> shares((boxes.size() + CHUNK - 1) / CHUNK);
+  tree.each(CellState::BOUNDARY, BOUNDARY_BLOCK, [&](std::size_t level, const std::vector<Box>& boxes) {
+    std::vector<Interval> shares((boxes.size() + BOUNDARY_CHUNK - 1) / BOUNDARY_CHUNK);
     pool.forEach(shares.size(), [&](std::size_t chunk) {
       const bool stopped = running.isOver();
-      for (std::size_t k = chunk * CHUNK; k < std::min(boxes.size(), (chunk + 1) * CHUNK); ++k)
+      for (std::size_t k = chunk * BOUNDARY_CHUNK; k < std::min(boxes.size(), (chunk + 1) * BOUNDARY_CHUNK); ++k)
         shares[chunk] += stopped ? Interval(0.0, 1.0) : shareOfSet(model, boxes[k]);
     });
     for (const Interval& share : shares)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -13,7 +12,6 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
 /// No rail goes so far [m]: what does is without end.
 constexpr double LONGEST = 1e300;
 /// Of a longer path some are left out: what is said of the limits is no verdict.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
@@ -12,8 +11,6 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 bool runAlongAxis(const Machine& machine, int axis)
 {
   const Interval& e = directionOfRails(machine)[static_cast<std::size_t>(axis)];

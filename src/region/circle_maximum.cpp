@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <stdexcept>
 
@@ -16,7 +15,6 @@ namespace
 using Form = AffineForm<double>;
 using Number = Enclosed<double>;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
 /// Arcs to begin with: a power of two, so that their ends are doubles.
 constexpr int BEGINNING = 8;
 constexpr int MOST_ARCS = 4000;

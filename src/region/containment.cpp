@@ -16,7 +16,7 @@ namespace pkm_workspace
 namespace
 {
 /// Steps of one local search for a bad point.
-constexpr int STEPS = 8;
+constexpr int DESCENT_STEPS = 8;
 /// A proof of a round region that has taken so many parts looks for a bad point once more, from far.
 constexpr std::int64_t LONG_PROOF = 1024;
 /// Parts that are looked at side by side.
@@ -216,7 +216,7 @@ private:
   {
     if (margin >= least_margin_)
       return false;
-    const Eigen::Vector3d worst = search_.descend(start, STEPS);
+    const Eigen::Vector3d worst = search_.descend(start, DESCENT_STEPS);
     least_margin_ = std::min(margin, test_.margin(worst));
     return proveBad(worst);
   }

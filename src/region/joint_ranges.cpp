@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "circle_maximum.h"
@@ -15,10 +14,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 /// Most steps of Newton's method, and of halving: both end much sooner, or where doubles end.
-constexpr int STEPS = 100;
+constexpr int NEWTON_STEPS = 100;
 /// Where the search for the largest value over a circle ends: relative to the size, and to the strut.
 constexpr double GAP = 1e-12;
 constexpr double ROUNDING = 1e-14;
@@ -95,7 +92,7 @@ public:
     double t = region.leastAlong(enclose(w), strut_.center).lower() - length;
     double bound = -INF;
     Vector3d nearest = region.center;
-    for (int k = 0; k < STEPS; ++k)
+    for (int k = 0; k < NEWTON_STEPS; ++k)
     {
       nearest = region.nearest(c + t * w);
       const Vector3d strut = nearest - (c + t * w);
@@ -117,7 +114,7 @@ public:
     double low = region.leastAlong(enclose(w), strut_.center).lower();
     double high = -region.leastAlong(enclose(Vector3d(-w)), strut_.center).lower();
     const auto strutAt = [&](double t) { return Vector3d(region.nearest(c + t * w) - (c + t * w)); };
-    for (int k = 0; k < STEPS; ++k)
+    for (int k = 0; k < NEWTON_STEPS; ++k)
     {
       const double t = 0.5 * low + 0.5 * high;
       (w.dot(strutAt(t)) > 0.0 ? low : high) = t;

@@ -69,7 +69,7 @@ private:
 };
 
 /// A circle about an axis, with the point that it starts at.
-struct Circle
+struct GivenCircle
 {
   IntervalVector center;  ///< [m]
   IntervalVector axis;    ///< of length 1
@@ -87,9 +87,9 @@ IntervalVector unit(const IntervalVector& v)
   return (Interval(1.0) / norm(v)) * v;
 }
 
-Circle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d& axis, Checks& checks)
+GivenCircle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d& axis, Checks& checks)
 {
-  Circle circle;
+  GivenCircle circle;
   const double scale = std::ldexp(1.0, -std::ilogb(axis.cwiseAbs().maxCoeff()));  // a power of two rounds nothing
   circle.axis = unit(enclose(Vector3d(axis * scale)));
   const IntervalVector offset = enclose(start) - enclose(center);
@@ -104,7 +104,7 @@ Circle circleAbout(const Vector3d& start, const Vector3d& center, const Vector3d
 }
 
 /// The circle through three points (circumcenter of the triangle).
-Circle circleThrough(const Vector3d& start, const Vector3d& via, const Vector3d& end, Checks& checks)
+GivenCircle circleThrough(const Vector3d& start, const Vector3d& via, const Vector3d& end, Checks& checks)
 {
   const IntervalVector b = enclose(via) - enclose(start);
   const IntervalVector c = enclose(end) - enclose(start);
@@ -132,7 +132,7 @@ Interval asInterval(const Enclosed<double>& number)
 
 /// Encloses the angle in (0, 2 pi) from the start to the direction of the point: a guess, and the arc sine of what is
 /// left.
-Interval angleTo(const Circle& circle, const Vector3d& end, Checks& checks)
+Interval angleTo(const GivenCircle& circle, const Vector3d& end, Checks& checks)
 {
   const IntervalVector offset = enclose(end) - circle.center;
   const Interval x = dot(offset, circle.u);
@@ -178,7 +178,7 @@ PathSegment PathSegment::arcThrough(const Vector3d& start, const Vector3d& via, 
 {
   Checks checks("arc");
   checks.point("start", start).point("via", via).point("end", end).throwIfAny();
-  const Circle circle = circleThrough(start, via, end, checks);
+  const GivenCircle circle = circleThrough(start, via, end, checks);
   return PathSegment(circle.curve(angleTo(circle, end, checks)));
 }
 
@@ -188,7 +188,7 @@ PathSegment PathSegment::arcTo(const Vector3d& start, const Vector3d& center, co
     return circle(start, center, axis);
   Checks checks("arc");
   checks.point("start", start).point("center", center).direction("axis", axis).point("end", end).throwIfAny();
-  const Circle circle = circleAbout(start, center, axis, checks);
+  const GivenCircle circle = circleAbout(start, center, axis, checks);
   const PathSegment segment(circle.curve(angleTo(circle, end, checks)));
   const double mismatch = norm(segment.curve_.point(1.0) - enclose(end)).upper();
   if (!(mismatch <= ARC_MISMATCH))

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/centered_box.h"
@@ -14,8 +13,6 @@ namespace pkm_workspace
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 const Box NOWHERE{ Vector3d::Constant(INF), Vector3d::Constant(-INF) };
 }  // namespace

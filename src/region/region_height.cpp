@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/machine/rails.h"
@@ -15,12 +14,10 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 /// Distance to the limits that lets a proof end [longest strut].
 constexpr double SLACK = 1e-7;
 /// Boxes that a proof may take.
-constexpr std::int64_t VERIFICATION_BOXES = 20000;
+constexpr std::int64_t MOVING_BOXES = 20000;
 /// How far the region is moved, as shares of the way; the first that is proved counts.
 constexpr double SHARES[] = { 1.0, 0.999, 0.99, 0.9, 0.5 };
 
@@ -55,7 +52,7 @@ Interval travelOf(const Machine& machine, const RegionQuery& query, const Larges
 bool isProved(const BoxTest& test, const RunningBudget& budget, const Vector3d& center, LargestRegion& region)
 {
   Budget left = budget.rest();
-  left.max_boxes = VERIFICATION_BOXES;
+  left.max_boxes = MOVING_BOXES;
   const ContainmentResult proof = checkContainment(test, *region.shape, center, region.size, left);
   region.verification_boxes += proof.boxes;
   return proof.verdict == Containment::INSIDE;

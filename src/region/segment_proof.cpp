@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pkm_workspace
 {
@@ -22,8 +21,6 @@ constexpr double SHARE_BESIDE = 1.0 / 16.0;
 constexpr double LEAST_GAP = 0x1p-20;
 /// Places that are followed until doubles end.
 constexpr std::size_t MOST_OPEN = 16;
-
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 /// What is no number bounds nothing.
 void widen(const Span<double>& span, Span<double>& sum)

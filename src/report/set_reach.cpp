@@ -15,7 +15,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
 constexpr double MOST = std::numeric_limits<double>::max();
 /// Boxes of a coarse paving, boxes that are looked at of any, and boxes in which a region is proved to be reachable.
 constexpr std::int64_t MOST_BOXES = 20000;

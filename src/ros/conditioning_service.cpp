@@ -12,26 +12,27 @@ namespace pkm_workspace
 {
 namespace
 {
-using Request = ComputeConditioning::Request;
 }  // namespace
 
 ConditioningService::ConditioningService(NodeContext& context)
   : context_(context)
-  , service_(offer<ComputeConditioning>(
-        context.computing, context.health, "compute_conditioning",
-        [this](const Request& request, ComputeConditioning::Response& response) { compute(request, response); }))
+  , service_(
+        offer<ComputeConditioning>(context.computing, context.health, "compute_conditioning",
+                                   [this](const ComputeConditioning::Request& request,
+                                          ComputeConditioning::Response& response) { compute(request, response); }))
 {}
 
-ConditioningTask ConditioningService::read(const Request& request) const
+ConditioningTask ConditioningService::read(const ComputeConditioning::Request& request) const
 {
   const Budget& node = context_.parameters.query.budget;
   ConditioningTask task;
   Problems problems;
-  if (request.over > Request::REGION)
+  if (request.over > ComputeConditioning::Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) + " must be SET = 0 or REGION = 1");
-  if (request.over == Request::REGION && request.criterion != CriterionRequest())
+  if (request.over == ComputeConditioning::Request::REGION && request.criterion != CriterionRequest())
     problems.push_back("criterion must be 0 unless over = SET: all points of a region count");
-  task.region = readRegion(request.over == Request::REGION, request.solid, request.center, problems);
+  task.region =
+      readRegion(request.over == ComputeConditioning::Request::REGION, request.solid, request.center, problems);
   task.criterion = fromMessage(request.criterion, context_.query().criterion, problems);
   task.query.accuracy = valueOr(request.accuracy, task.query.accuracy);
   task.query.budget = node;
@@ -41,7 +42,7 @@ ConditioningTask ConditioningService::read(const Request& request) const
   return task;
 }
 
-void ConditioningService::compute(const Request& request, ComputeConditioning::Response& response)
+void ConditioningService::compute(const ComputeConditioning::Request& request, ComputeConditioning::Response& response)
 {
   const FramedMachine in = context_.frames.machineIn(request.header.frame_id);
   ConditioningTask task = read(request);

@@ -20,12 +20,11 @@ namespace pkm_workspace
 {
 namespace
 {
-using Request = FindSingularities::Request;
 using visualization_msgs::Marker;
 
 constexpr Color SINGULAR = { 0.85F, 0.1F, 0.1F, 1.0F };
 
-std::array<Interval, 3> readRanges(const Request& request, Problems& problems)
+std::array<Interval, 3> readRanges(const FindSingularities::Request& request, Problems& problems)
 {
   std::array<Interval, 3> ranges;
   for (std::size_t i = 0; i < 3; ++i)
@@ -41,10 +40,10 @@ std::array<Interval, 3> readRanges(const Request& request, Problems& problems)
 }
 
 /// Refuses what is set and without effect.
-void requireUnused(const Request& request, Problems& problems)
+void requireUnused(const FindSingularities::Request& request, Problems& problems)
 {
   for (const Bounds& bounds : request.ranges)
-    if (request.over != Request::JOINT_RANGES && (bounds.lower != 0.0 || bounds.upper != 0.0))
+    if (request.over != FindSingularities::Request::JOINT_RANGES && (bounds.lower != 0.0 || bounds.upper != 0.0))
       return problems.push_back("ranges must be 0 [m] unless over = JOINT_RANGES");
 }
 
@@ -92,22 +91,24 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
 SingularityService::SingularityService(NodeContext& context)
   : context_(context)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("singularity_markers", 1, true))
-  , service_(offer<FindSingularities>(
-        context.computing, context.health, "find_singularities",
-        [this](const Request& request, FindSingularities::Response& response) { find(request, response); }))
+  , service_(offer<FindSingularities>(context.computing, context.health, "find_singularities",
+                                      [this](const FindSingularities::Request& request,
+                                             FindSingularities::Response& response) { find(request, response); }))
 {}
 
-SingularityService::Question SingularityService::read(const Request& request) const
+SingularityService::Question SingularityService::read(const FindSingularities::Request& request) const
 {
   Question question{ {}, context_.frames.machineIn(request.header.frame_id) };
   SingularityQuery& query = question.task.query;
   Problems problems;
   requireUnused(request, problems);
-  if (request.over > Request::REGION)
+  if (request.over > FindSingularities::Request::REGION)
     problems.push_back("over = " + std::to_string(request.over) +
                        " must be JOINT_LIMITS = 0, REACHABLE = 1, JOINT_RANGES = 2 or REGION = 3");
-  question.task.region = readRegion(request.over == Request::REGION, request.solid, request.center, problems);
-  query.joint_limits = request.over == Request::JOINT_LIMITS || request.over == Request::JOINT_RANGES;
+  question.task.region =
+      readRegion(request.over == FindSingularities::Request::REGION, request.solid, request.center, problems);
+  query.joint_limits = request.over == FindSingularities::Request::JOINT_LIMITS ||
+                       request.over == FindSingularities::Request::JOINT_RANGES;
   query.aspect = aspectOf(request.aspect, Criterion::Aspect::BOTH, problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   const Budget& node = context_.parameters.query.budget;
@@ -115,7 +116,7 @@ SingularityService::Question SingularityService::read(const Request& request) co
   query.budget.max_memory = node.max_memory;
   query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);
   query.validate(problems);
-  if (request.over == Request::JOINT_RANGES)
+  if (request.over == FindSingularities::Request::JOINT_RANGES)
   {
     const auto ranges = readRanges(request, problems);
     throwProblems(problems);
@@ -126,17 +127,18 @@ SingularityService::Question SingularityService::read(const Request& request) co
   return question;
 }
 
-void SingularityService::find(const Request& request, FindSingularities::Response& response)
+void SingularityService::find(const FindSingularities::Request& request, FindSingularities::Response& response)
 {
   Question question = read(request);
   const auto& [task, in] = question;
   const StopFlag stop = context_.worker.makeStopFlag();
   question.task.query.budget.stop = stop.get();
-  const std::string asked = std::string("singularities of ") +
-                            (request.over == Request::REGION         ? "a region, "
-                             : request.over == Request::JOINT_RANGES ? "all points within joint ranges, "
-                                                                     : "all points that are ") +
-                            describe(task.criterion());
+  const std::string asked =
+      std::string("singularities of ") +
+      (request.over == FindSingularities::Request::REGION         ? "a region, "
+       : request.over == FindSingularities::Request::JOINT_RANGES ? "all points within joint ranges, "
+                                                                  : "all points that are ") +
+      describe(task.criterion());
   ROS_INFO_STREAM_NAMED("server", "computing: " << asked);
   const SingularityReport report = withRemedy({ "over = JOINT_LIMITS", "over = JOINT_RANGES or REGION" }, [&question] {
     return findSingularities(*question.in.machine, question.task);

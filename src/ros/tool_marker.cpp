@@ -19,15 +19,15 @@ namespace
 {
 using visualization_msgs::Marker;
 
-constexpr const char* NAME = "tool";
-constexpr Color RED = { 0.9F, 0.1F, 0.1F, 0.7F };
+constexpr const char* TOOL_NAME = "tool";
+constexpr Color TOOL_RED = { 0.9F, 0.1F, 0.1F, 0.7F };
 constexpr Color RAIL = { 0.6F, 0.6F, 0.65F, 1.0F };
 constexpr Color SLIDER = { 0.95F, 0.45F, 0.05F, 1.0F };
 constexpr double SPEED = 0.1;         ///< of the joints [m/s]
 constexpr double COMFORT = 0.3;       ///< margin from which on it is all green
 constexpr double LONGEST_AXIS = 8.0;  ///< beyond that near a parallel singularity the ellipsoid is cut off
 /// Diameter [L] of the ball that can be grabbed: around the ellipsoid, which would be in the way of the mouse.
-constexpr double GRIP = 0.42;
+constexpr double TOOL_GRIP = 0.42;
 
 /// From yellow at the border to green.
 Color colorOf(double margin)
@@ -40,7 +40,7 @@ void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, cons
 {
   if (!jacobians.j.allFinite())  // at a parallel singularity
   {
-    Marker& ball = scene.add("ellipsoid", Marker::SPHERE, RED);
+    Marker& ball = scene.add("ellipsoid", Marker::SPHERE, TOOL_RED);
     ball.pose.position = toMessage(point);
     ball.scale.x = ball.scale.y = ball.scale.z = 2.0 * SPEED * 1000.0 * scene.unit();
     return;
@@ -84,7 +84,7 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
   const PointEvaluation there = evaluate(tool.point);
   const bool good = tool.objection.empty() && there.verdict == BoxVerdict::INSIDE;
   if (const auto matrices = jacobians(machine, tool.point))
-    addEllipsoid(*matrices, tool.point, good ? colorOf(evaluate.test().margin(tool.point)) : RED, scene);
+    addEllipsoid(*matrices, tool.point, good ? colorOf(evaluate.test().margin(tool.point)) : TOOL_RED, scene);
   if (const auto rho = inverseKinematics(machine, tool.point))
     for (int i = 0; i < 3; ++i)
       addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
@@ -100,13 +100,13 @@ ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::In
   , handles_(handles)
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("tool_markers", 1, true))
 {
-  Handle handle{ NAME, context.frames.root().frame, tool.state().point };
-  handle.size.setConstant(GRIP * context.machine().scale());
+  Handle handle{ TOOL_NAME, context.frames.root().frame, tool.state().point };
+  handle.size.setConstant(TOOL_GRIP * context.machine().scale());
   handle.color = BARELY_VISIBLE;
-  handle.arrows = GRIP * context.machine().scale();
+  handle.arrows = TOOL_GRIP * context.machine().scale();
   handles_.insert(toMessage(handle), [this](const auto& feedback) {
     if (feedback->event_type == visualization_msgs::InteractiveMarkerFeedback::POSE_UPDATE)
-      guarded(context_.health, NAME, [&] {
+      guarded(context_.health, TOOL_NAME, [&] {
         tool_.lead(context_.frames.pointInRoot(feedback->header.frame_id, fromMessage(feedback->pose.position)));
       });
   });
@@ -117,7 +117,7 @@ ToolMarker::ToolMarker(NodeContext& context, Tool& tool, interactive_markers::In
 
 void ToolMarker::show()
 {
-  handles_.setPose(NAME, poseAt(tool_.state().point));
+  handles_.setPose(TOOL_NAME, poseAt(tool_.state().point));
   handles_.applyChanges();
   const std::lock_guard<std::mutex> lock(mutex_);  // the last one to publish has the newest state
   const Criterion criterion = context_.query().criterion;

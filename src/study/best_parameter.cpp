@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -15,8 +14,6 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 /// Boxes of centers for one look at a part before it is rather divided: so many more with each division.
 constexpr std::int64_t LOOK = 64;
 /// Boxes that proofs of regions of one machine may take, and those of regions that all machines of a part have in

@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "pkm_workspace/machine/rails.h"
@@ -20,8 +19,6 @@ namespace
 {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 /// The vector with one component moved by @p steps doubles.
 Vector3d nudged(Vector3d v, Eigen::Index component, int steps)

@@ -25,15 +25,7 @@ void put(const std::string& key, const Member& member, Groups<Member>& groups)
     groups.push_back({ key, { member } });
 }
 
-std::string listOf(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "'" : ", '") + name + "'";
-  return list;
-}
-
-std::string listOf(const std::vector<Notice>& notices)
+std::string valuesOf(const std::vector<Notice>& notices)
 {
   Groups<std::string> values;
   for (const Notice& notice : notices)
@@ -46,6 +38,14 @@ std::string listOf(const std::vector<Notice>& notices)
 }
 }  // namespace
 
+std::string listOf(const std::vector<std::string>& names, const std::string& none)
+{
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "'" : ", '") + name + "'";
+  return list.empty() ? none : list;
+}
+
 std::vector<std::string> sentencesOf(const std::vector<Notice>& notices)
 {
   Groups<Notice> kinds;
@@ -55,7 +55,7 @@ std::vector<std::string> sentencesOf(const std::vector<Notice>& notices)
   for (const auto& kind : kinds)
   {
     const bool single = kind.second.size() == 1 || kind.second[0].about.empty();
-    sentences.push_back(single ? kind.second[0].one : kind.first + ": " + listOf(kind.second));
+    sentences.push_back(single ? kind.second[0].one : kind.first + ": " + valuesOf(kind.second));
   }
   return sentences;
 }

@@ -17,6 +17,9 @@ struct Notice
   std::string about;  ///< the name that it is about; may be empty
 };
 
+/// "'a', 'b'". @param none what to say where there is no name
+std::string listOf(const std::vector<std::string>& names, const std::string& none = "");
+
 /// A sentence for each kind, in the order in which they come first: "KIND: VALUE ('a', 'b'), VALUE ('c')".
 std::vector<std::string> sentencesOf(const std::vector<Notice>& notices);
 }  // namespace urdf_io

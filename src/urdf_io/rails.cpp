@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rails.h"
-#include "refusal.h"
 
 #include <algorithm>
 
+#include "notice.h"
 #include "pkm_workspace/machine/rails.h"
+#include "refusal.h"
 
 namespace pkm_workspace
 {
@@ -12,14 +13,6 @@ namespace urdf_io
 {
 namespace
 {
-std::string listOf(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (const auto& name : names)
-    list += (list.empty() ? "'" : ", '") + name + "'";
-  return list.empty() ? "none" : list;
-}
-
 std::vector<std::string> prismaticJoints(const Model& model)
 {
   std::vector<std::string> names;
@@ -31,9 +24,9 @@ std::vector<std::string> prismaticJoints(const Model& model)
 
 void checkNamed(const Model& model, const std::vector<std::string>& names, Problems& problems)
 {
-  const std::string list = listOf(prismaticJoints(model));
+  const std::string list = listOf(prismaticJoints(model), "none");
   if (names.size() != 3)
-    complain(problems, "rails names ", names.size(), " joints (", listOf(names),
+    complain(problems, "rails names ", names.size(), " joints (", listOf(names, "none"),
              "), expected three of the prismatic joints: ", list);
   for (auto name = names.begin(); name != names.end(); ++name)
     if (model.tree->joints_.count(*name) == 0)
@@ -52,7 +45,7 @@ std::vector<std::string> railNames(const Model& model, const std::vector<std::st
     checkNamed(model, names, problems);
   const auto found = names.empty() ? prismaticJoints(model) : names;
   if (names.empty() && found.size() != 3)
-    complain(problems, "the robot has ", found.size(), " prismatic joints (", listOf(found),
+    complain(problems, "the robot has ", found.size(), " prismatic joints (", listOf(found, "none"),
              "), expected the three rails; of more, rails may name three");
   throwRefusal(problems);
   return found;

@@ -6,6 +6,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 #include "support/same_bits.h"
 
 namespace pkm_workspace
@@ -14,7 +15,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20260701;
 constexpr std::size_t MOST = 9;  // boxes at a time: more than two packs of 4
 
 /// A machine and what is asked of it.

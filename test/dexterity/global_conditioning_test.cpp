@@ -8,12 +8,13 @@
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261123;
+using test::SEED;
 
 /// psi_1 / psi_3 in floating point, 0 out of reach.
 double indexAt(const Machine& machine, const Eigen::Vector3d& p)

@@ -2,13 +2,12 @@
 // Joint limits that the rest of the criterion implies are left out: here by points that an oracle finds.
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -17,9 +16,6 @@ namespace test
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr unsigned SEED = 20261127;
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 Machine withLimit(const Machine& machine, int leg, int side, double limit)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/dexterity/partial_mean.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261122;
+using test::SEED;
 
 struct Part
 {

@@ -8,6 +8,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 #include "support/same_bits.h"
 
 namespace pkm_workspace
@@ -19,8 +20,7 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr unsigned SEED = 20261122;
-constexpr std::size_t MOST = 9;
+constexpr std::size_t MOST_PIECES = 9;
 
 const Box CUBE{ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) };
 
@@ -211,18 +211,18 @@ TEST(PathPiece, everyKernelSaysTheSameInEveryPlace)
     const MachineModel<double> model(machine, Criterion());
     RandomBoxes random(SEED);
     std::vector<CurvePiece> pieces;
-    while (pieces.size() < MOST)
+    while (pieces.size() < MOST_PIECES)
       pieces.push_back(Piece(machine, random).asPathPiece());
     const auto kernels = boxKernels(model);
-    std::array<BoxVerdict, MOST> expected, verdicts;
-    std::array<PieceMotion, MOST> alone, motions;
-    for (std::size_t k = 0; k < MOST; ++k)
+    std::array<BoxVerdict, MOST_PIECES> expected, verdicts;
+    std::array<PieceMotion, MOST_PIECES> alone, motions;
+    for (std::size_t k = 0; k < MOST_PIECES; ++k)
       kernels.back()->look(&pieces[k], 1, &expected[k], &alone[k]);
     for (const auto& kernel : kernels)
     {
-      kernel->look(pieces.data(), MOST, verdicts.data(), motions.data());
+      kernel->look(pieces.data(), MOST_PIECES, verdicts.data(), motions.data());
       EXPECT_EQ(verdicts, expected);
-      for (std::size_t k = 0; k < MOST; ++k)
+      for (std::size_t k = 0; k < MOST_PIECES; ++k)
         for (std::size_t i = 0; i < 3; ++i)
         {
           EXPECT_TRUE(sameBits(motions[k].psi[i].lower, alone[k].psi[i].lower));

@@ -7,6 +7,7 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -15,8 +16,6 @@ namespace test
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr unsigned SEED = 20261125;
 
 Criterion everything()
 {

@@ -5,12 +5,13 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261126;
+using test::SEED;
 
 /// The last point towards @p outside, to the resolution of doubles, that the oracle calls good.
 Eigen::Vector3d borderBetween(const test::Oracle& oracle, const Eigen::Vector3d& inside, const Eigen::Vector3d& outside)

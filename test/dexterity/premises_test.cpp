@@ -20,8 +20,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20261127;
-
 Criterion anyCriterion(Random& random)
 {
   Criterion criterion;

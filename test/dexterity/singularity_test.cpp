@@ -12,6 +12,7 @@
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -20,7 +21,7 @@ namespace
 using Status = SingularityAnswer::Status;
 using Eigen::Vector3d;
 
-constexpr unsigned SEED = 20261122;
+using test::SEED;
 
 /// The machine with the equalised joint ranges of a region for limits.
 Machine withRangesOf(const Machine& machine, const Shape& shape, const Vector3d& center, double size)

@@ -7,6 +7,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -16,7 +17,7 @@ using Eigen::Vector3d;
 using Number = test::Oracle::Number;
 using Vector = test::Oracle::Vector;
 
-constexpr unsigned SEED = 20261126;
+using test::SEED;
 
 /// The unit Orthoglide with the signs of eta of the bits of @p modes.
 Machine withModes(int modes)

@@ -7,12 +7,13 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260601;
+using test::SEED;
 
 std::vector<Criterion> everyCriterion()
 {

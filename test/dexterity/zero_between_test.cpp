@@ -16,7 +16,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 constexpr double LEAST = std::numeric_limits<double>::denorm_min();
 constexpr double LARGEST = std::numeric_limits<double>::max();

@@ -17,8 +17,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20261126;
-
 using Lines = std::vector<std::string>;
 
 class Reading : public Folder

@@ -205,7 +205,7 @@ TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
 
 INSTANTIATE_TEST_SUITE_P(All, AffineVectorContainment, testing::ValuesIn(MODES), nameOfMode);
 
-constexpr double ULP = std::numeric_limits<double>::epsilon();
+constexpr double ULP_OF_ONE = std::numeric_limits<double>::epsilon();
 
 TEST(AffineVectorTightness, squaresOverestimateBySecondOrder)
 {
@@ -214,7 +214,7 @@ TEST(AffineVectorTightness, squaresOverestimateBySecondOrder)
   v.linear = { { { 0.5, 0.0, 0.0 }, { 0.0, 0.25, 0.0 }, { 0.0, 0.0, 0.125 } } };
   for (const Form& square : { dot(v, v), squaredNorm(v) })
   {
-    EXPECT_NEAR(square.radius, (0.25 + 0.0625 + 0.015625) / 2.0, 40.0 * ULP * v.magnitude() * v.magnitude());
+    EXPECT_NEAR(square.radius, (0.25 + 0.0625 + 0.015625) / 2.0, 40.0 * ULP_OF_ONE * v.magnitude() * v.magnitude());
     EXPECT_EQ(square.center, 5.0 + (0.25 + 0.0625 + 0.015625) / 2.0);
     EXPECT_EQ(square.gradient, (std::array<double, 3>{ 1.0, 1.0, 0.0 }));
   }
@@ -229,8 +229,8 @@ TEST(AffineVectorTightness, anErrorAlongAnAxisDoesNotReachWhatIsPerpendicular)
   u.center = { 0.0, 2.0, 0.0 };
   u.along = 0.5;
   u.axis = { 0.0, 0.0, 1.0 };
-  EXPECT_LE(dot(u, v).radius, 80.0 * ULP * u.magnitude() * v.magnitude()) << "the error of u is across v";
-  EXPECT_NEAR(dot(u, u).radius, 0.25, 80.0 * ULP * u.magnitude() * u.magnitude());
+  EXPECT_LE(dot(u, v).radius, 80.0 * ULP_OF_ONE * u.magnitude() * v.magnitude()) << "the error of u is across v";
+  EXPECT_NEAR(dot(u, u).radius, 0.25, 80.0 * ULP_OF_ONE * u.magnitude() * u.magnitude());
 }
 }  // namespace
 }  // namespace test

@@ -18,7 +18,7 @@ namespace pkm_workspace
 {
 namespace
 {
-constexpr std::uint64_t SEED = 20260101;
+using test::SEED;
 
 /// The sign of (number in the text) - value; exact for the numbers below, which need far less than 2000 bits.
 int compare(const std::string& text, double value)

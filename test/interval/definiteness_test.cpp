@@ -195,7 +195,6 @@ TEST(Definiteness, oneBadCornerIsEnough)
 
 TEST(Definiteness, singularIndefiniteAndUndefinedMatricesAreNotProved)
 {
-  constexpr double INF = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(isPositiveDefinite(diagonal(1.0, 2.0, 3.0)));
   EXPECT_FALSE(isPositiveDefinite(diagonal(1.0, 2.0, 0.0)));
   EXPECT_FALSE(isPositiveDefinite(diagonal(-1.0, -2.0, 3.0))) << "two negative eigenvalues: det > 0";

@@ -12,8 +12,6 @@ namespace test
 {
 namespace
 {
-constexpr std::uint64_t SEED = 83;
-
 struct Case
 {
   double lower;

@@ -77,7 +77,7 @@ TEST_P(EnclosedContainment, determinantAtTheCenterHoldsThoseOfAllMembersThere)
     if (forms.random().once(2))
       rows[2].center = rows[1].center;  // cancels
     const auto got = evaluate<Number>([&] { return determinantAtCenter(rows[0], rows[1], rows[2]); });
-    const std::string text = toText(rows[0]) + toText(rows[1]) + toText(rows[2]);
+    const std::string text = test::toText(rows[0]) + test::toText(rows[1]) + test::toText(rows[2]);
     for (auto& row : rows)
       row.linear = {};
     for (int i = 0; i < MEMBERS; ++i)
@@ -90,17 +90,17 @@ TEST_P(EnclosedContainment, determinantAtTheCenterHoldsThoseOfAllMembersThere)
 
 INSTANTIATE_TEST_SUITE_P(All, EnclosedContainment, testing::ValuesIn(MODES), nameOfMode);
 
-constexpr double ULP = std::numeric_limits<double>::epsilon();
+constexpr double LAST_BIT = std::numeric_limits<double>::epsilon();
 
 TEST(EnclosedTightness, operationsAddRoundingErrorsOnly)
 {
   const Number a(0.7, 0.25);
   const Number b(-0.4, 0.125);
-  EXPECT_NEAR((a + b).radius, 0.25 + 0.125, 60.0 * ULP);
-  EXPECT_NEAR((a * b).radius, 0.7 * 0.125 + 0.4 * 0.25 + 0.25 * 0.125, 60.0 * ULP);
+  EXPECT_NEAR((a + b).radius, 0.25 + 0.125, 60.0 * LAST_BIT);
+  EXPECT_NEAR((a * b).radius, 0.7 * 0.125 + 0.4 * 0.25 + 0.25 * 0.125, 60.0 * LAST_BIT);
   EXPECT_EQ((-a).radius, a.radius);
-  EXPECT_NEAR(a.lower(), 0.45, 60.0 * ULP);
-  EXPECT_NEAR(a.upper(), 0.95, 60.0 * ULP);
+  EXPECT_NEAR(a.lower(), 0.45, 60.0 * LAST_BIT);
+  EXPECT_NEAR(a.upper(), 0.95, 60.0 * LAST_BIT);
 }
 
 TEST(EnclosedTightness, determinantAtTheCenterLeavesTheGradientsOut)
@@ -112,7 +112,7 @@ TEST(EnclosedTightness, determinantAtTheCenterLeavesTheGradientsOut)
     rows[k].center[k] = 2.0;
     rows[k].linear = { { { 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 } } };
   }
-  EXPECT_LE(determinantAtCenter(rows[0], rows[1], rows[2]).radius, 1000.0 * ULP);
+  EXPECT_LE(determinantAtCenter(rows[0], rows[1], rows[2]).radius, 1000.0 * LAST_BIT);
 }
 }  // namespace
 }  // namespace test

@@ -43,7 +43,7 @@ const UnaryOperation UNARY[] = {
     } },
 };
 
-constexpr int MEMBERS = 6;
+constexpr int MEMBERS_OF_EACH = 6;
 
 /// Whether the enclosure, computed under @p mode, holds the results for members of x and y; the text says what is
 /// wrong.
@@ -51,7 +51,7 @@ testing::AssertionResult holds(const BinaryOperation& op, const RoundingMode& mo
                                const Interval& y, Operands& operands)
 {
   const Interval enclosure = under<Interval>(mode, [&] { return op.evaluate(x, y); });
-  for (int i = 0; i < MEMBERS; ++i)
+  for (int i = 0; i < MEMBERS_OF_EACH; ++i)
   {
     const double a = operands.member(x);
     const double b = operands.member(y);
@@ -67,7 +67,7 @@ testing::AssertionResult holds(const UnaryOperation& op, const RoundingMode& mod
                                Operands& operands)
 {
   const Interval enclosure = under<Interval>(mode, [&] { return op.evaluate(x); });
-  for (int i = 0; i < MEMBERS; ++i)
+  for (int i = 0; i < MEMBERS_OF_EACH; ++i)
   {
     const double a = operands.member(x);
     const auto exact = tightest(op.exact, a);

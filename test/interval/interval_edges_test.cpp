@@ -13,7 +13,6 @@ namespace test
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
 constexpr double MAX = std::numeric_limits<double>::max();
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 

@@ -15,12 +15,12 @@ namespace
 using ExactMatrix = std::array<ExactVector, 3>;
 
 /// Random rows, and a member of each: the third row is often nearly a combination of the others.
-struct Case
+struct VectorCase
 {
   IntervalMatrix rows;
   ExactMatrix member;
 
-  Case(const Spread& spread, int seed)
+  VectorCase(const Spread& spread, int seed)
   {
     Operands operands(spread, static_cast<std::uint64_t>(seed));
     Random random(static_cast<std::uint64_t>(seed));
@@ -35,7 +35,7 @@ struct Case
   }
 };
 
-std::ostream& operator<<(std::ostream& stream, const Case& x)
+std::ostream& operator<<(std::ostream& stream, const VectorCase& x)
 {
   for (const auto& row : x.rows)
     stream << row[0] << " " << row[1] << " " << row[2] << "; ";
@@ -51,14 +51,14 @@ protected:
     for (int seed = 0; seed < cases() && !HasFailure(); ++seed)
     {
       SCOPED_TRACE("seed " + std::to_string(seed));
-      check(Case(spread(), seed));
+      check(VectorCase(spread(), seed));
     }
   }
 };
 
 TEST_P(IntervalVectorContainment, scalarResultsHoldTheExactOnes)
 {
-  forEachCase([this](const Case& x) {
+  forEachCase([this](const VectorCase& x) {
     const auto& [u, v, w] = x.rows;
     const auto& [a, b, c] = x.member;
     const auto got = under<IntervalVector>(mode(), [&, &u = u, &v = v, &w = w] {
@@ -74,7 +74,7 @@ TEST_P(IntervalVectorContainment, scalarResultsHoldTheExactOnes)
 
 TEST_P(IntervalVectorContainment, vectorResultsHoldTheExactOnes)
 {
-  forEachCase([this](const Case& x) {
+  forEachCase([this](const VectorCase& x) {
     const auto& m = x.rows;
     const auto& n = x.member;
     const auto got = under<IntervalMatrix>(mode(), [&] {
@@ -94,7 +94,7 @@ TEST_P(IntervalVectorContainment, vectorResultsHoldTheExactOnes)
 
 TEST_P(IntervalVectorContainment, matrixProductsHoldTheExactOnes)
 {
-  forEachCase([this](const Case& x) {
+  forEachCase([this](const VectorCase& x) {
     const auto got = under<IntervalMatrix>(mode(), [&] { return x.rows * transpose(x.rows); });
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)

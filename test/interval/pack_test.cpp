@@ -18,8 +18,6 @@ namespace
 {
 using Pair = Pack<2>;
 
-constexpr double INF = std::numeric_limits<double>::infinity();
-
 Pair together(double first, double second)
 {
   const double values[] = { first, second };

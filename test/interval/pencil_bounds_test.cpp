@@ -19,10 +19,10 @@ using Eigen::Matrix3d;
 using Matrix = SymmetricForms<double>;
 using Spans = std::array<Span<double>, 3>;
 
-constexpr int ROW[] = { 0, 1, 2, 1, 0, 0 };
-constexpr int COLUMN[] = { 0, 1, 2, 2, 2, 1 };
+constexpr int ENTRY_ROW[] = { 0, 1, 2, 1, 0, 0 };
+constexpr int ENTRY_COLUMN[] = { 0, 1, 2, 2, 2, 1 };
 
-Matrix3d randomMatrix(Random& random)
+Matrix3d randomPencil(Random& random)
 {
   Matrix3d m;
   for (int k = 0; k < 9; ++k)
@@ -36,7 +36,7 @@ Matrix formsAround(const Matrix3d& m, double ripple, double error, Random& rando
   Matrix result;
   for (std::size_t k = 0; k < 6; ++k)
   {
-    result[k] = { m(ROW[k], COLUMN[k]), {}, error };
+    result[k] = { m(ENTRY_ROW[k], ENTRY_COLUMN[k]), {}, error };
     for (double& g : result[k].gradient)
       g = ripple * random.uniform(-1.0, 1.0);
   }
@@ -52,14 +52,14 @@ struct Pencil
 
   explicit Pencil(Random& random)
   {
-    const Matrix3d root = randomMatrix(random) + 4.0 * Matrix3d::Identity();
+    const Matrix3d root = randomPencil(random) + 4.0 * Matrix3d::Identity();
     const Matrix3d b = root * root.transpose();
     Eigen::Vector3d values(random.uniform(0.1, 4.0), random.uniform(0.1, 4.0), random.uniform(0.1, 4.0));
     if (random.once(3))
       values[1] = values[0];
     if (random.once(6))
       values[2] = values[1] = values[0];
-    const Eigen::HouseholderQR<Matrix3d> turn(randomMatrix(random));
+    const Eigen::HouseholderQR<Matrix3d> turn(randomPencil(random));
     const Matrix3d q = turn.householderQ();
     const Matrix3d a = root * q * values.asDiagonal() * q.transpose() * root.transpose();
     const Matrix3d symmetric = 0.5 * (a + a.transpose());
@@ -77,28 +77,28 @@ struct Pencil
   }
 };
 
-using ExactMatrix = std::array<Exact, 6>;
+using ExactPencil = std::array<Exact, 6>;
 
-ExactMatrix memberOf(const Matrix& m, Forms& forms)
+ExactPencil pencilMember(const Matrix& m, Forms& forms)
 {
-  ExactMatrix result;
+  ExactPencil result;
   for (std::size_t k = 0; k < 6; ++k)
     result[k] = forms.member(m[k]);
   return result;
 }
 
-Matrix3d rounded(const ExactMatrix& m)
+Matrix3d rounded(const ExactPencil& m)
 {
   Matrix3d result;
   for (std::size_t k = 0; k < 6; ++k)
-    result(ROW[k], COLUMN[k]) = result(COLUMN[k], ROW[k]) = m[k].value();
+    result(ENTRY_ROW[k], ENTRY_COLUMN[k]) = result(ENTRY_COLUMN[k], ENTRY_ROW[k]) = m[k].value();
   return result;
 }
 
 /// Whether sign * (K - mu D) is proved not to be positive semidefinite, by its leading minors.
-bool isIndefinite(const ExactMatrix& k, const ExactMatrix& d, double mu, double sign)
+bool isIndefinite(const ExactPencil& k, const ExactPencil& d, double mu, double sign)
 {
-  ExactMatrix m;
+  ExactPencil m;
   for (std::size_t entry = 0; entry < 6; ++entry)
     m[entry] = Exact(sign) * (k[entry] - Exact(mu) * d[entry]);
   const ExactVector rows[] = { { m[0], m[5], m[4] }, { m[5], m[1], m[3] }, { m[4], m[3], m[2] } };
@@ -120,7 +120,7 @@ TEST_P(PencilBoundsContainment, boundsHoldTheEigenvaluesOfEveryMember)
         under<Spans>(GetParam(), [&] { return pencilEigenvalues(pencil.k, pencil.d, pencil.w, pencil.mu); });
     for (int i = 0; i < 4; ++i, forms.move())
     {
-      const ExactMatrix k = memberOf(pencil.k, forms), d = memberOf(pencil.d, forms);
+      const ExactPencil k = pencilMember(pencil.k, forms), d = pencilMember(pencil.d, forms);
       ASSERT_FALSE(isIndefinite(k, d, found[0].lower, 1.0)) << "seed " << seed;
       ASSERT_FALSE(isIndefinite(k, d, found[2].upper, -1.0)) << "seed " << seed;
       const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix3d> solver(rounded(k), rounded(d));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/interval/precise.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace
 using Reference = boost::multiprecision::cpp_bin_float_100;
 using Form = AffineForm<Precise>;
 
-constexpr unsigned SEED = 20261125;
+using test::SEED;
 constexpr int CASES = 300;
 
 Reference exactly(const Precise& x)

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <locale>
 #include <regex>
 #include <set>
@@ -21,8 +20,6 @@ namespace test
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 /// One change to the unit Orthoglide.
 using Change = std::function<void(Machine::Legs&, Vector3d&)>;

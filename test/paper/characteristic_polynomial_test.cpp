@@ -10,12 +10,13 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260711;
+using test::SEED;
 
 Box cubeAt(const Eigen::Vector3d& center, double edge)
 {

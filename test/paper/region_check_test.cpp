@@ -10,13 +10,14 @@
 #include "pkm_workspace/region/containment.h"
 #include "support/cases.h"
 #include "support/machines.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260712;
-const Eigen::Vector3d ONES = Eigen::Vector3d::Ones();
+using test::SEED;
+const Eigen::Vector3d ALL_ONES = Eigen::Vector3d::Ones();
 
 BisectionLimits fine()
 {
@@ -48,7 +49,7 @@ Share shareInUnitBall(double least, double largest)
 TEST(RegionCheck, agreesWithWhatIsKnownOfTheBall)
 {
   test::RandomBoxes random(SEED);
-  const Box space{ -1.2 * ONES, 1.2 * ONES };
+  const Box space{ -1.2 * ALL_ONES, 1.2 * ALL_ONES };
   int decided = 0;
   for (int k = 0; k < test::cases(5000); ++k)
   {
@@ -74,12 +75,12 @@ TEST(RegionCheck, findsTheBadPointInTheMiddleOfARegion)
   };
   for (int k = 0; k < test::cases(100); ++k)
   {
-    const Eigen::Vector3d center = random.pointIn({ -0.23 * ONES, 0.23 * ONES });
+    const Eigen::Vector3d center = random.pointIn({ -0.23 * ALL_ONES, 0.23 * ALL_ONES });
     EXPECT_EQ(check(center), Share::NONE) << "seed " << SEED << ", case " << k;
     EXPECT_EQ(check(center + Eigen::Vector3d(0.51, 0.0, 0.0)), Share::ALL) << "seed " << SEED << ", case " << k;
   }
-  EXPECT_EQ(checkCenters(allButASmallBall, { -0.2 * ONES, 0.2 * ONES }, edges, fine()), Share::NONE);
-  EXPECT_EQ(checkCenters(allButASmallBall, { 0.1 * ONES, 0.4 * ONES }, edges, fine()), Share::SOME);
+  EXPECT_EQ(checkCenters(allButASmallBall, { -0.2 * ALL_ONES, 0.2 * ALL_ONES }, edges, fine()), Share::NONE);
+  EXPECT_EQ(checkCenters(allButASmallBall, { 0.1 * ALL_ONES, 0.4 * ALL_ONES }, edges, fine()), Share::SOME);
 }
 
 namespace
@@ -104,7 +105,7 @@ TEST(RegionCheck, answersHoldForEveryCenterWithEitherTest)
     const BoxTest box_test(machine, Criterion());
     const BoxClassifier classifiers[] = { CharacteristicTest(machine, Criterion()),
                                           [&box_test](const Box& box) { return box_test.classify(box); } };
-    const Box space{ machine.zero() - 0.5 * ONES, machine.zero() + 0.5 * ONES };
+    const Box space{ machine.zero() - 0.5 * ALL_ONES, machine.zero() + 0.5 * ALL_ONES };
     BisectionLimits limits = fine();
     limits.max_centers = 10;
     test::RandomBoxes random(SEED);
@@ -114,7 +115,7 @@ TEST(RegionCheck, answersHoldForEveryCenterWithEitherTest)
       SCOPED_TRACE(machine.name() + ", case " + std::to_string(k));
       const Box centers = random.boxIn(space, 0.4);
       const double edge = random.between(0.05, 0.5);
-      const Share share = checkCenters(classifiers[k % 2], centers, edge * ONES, limits);
+      const Share share = checkCenters(classifiers[k % 2], centers, edge * ALL_ONES, limits);
       expectHolds(share, box_test, centers, edge, random);
       ++count[share];
     }
@@ -126,11 +127,11 @@ TEST(RegionCheck, answersHoldForEveryCenterWithEitherTest)
 TEST(RegionCheck, separatesTheLargestCubeFromTheNextOne)
 {
   const CharacteristicTest test(orthoglide(), Criterion());
-  const Box optimum{ 0.086273015 * ONES, 0.086273015 * ONES };
-  EXPECT_EQ(checkCenters(test, optimum, 0.6439 * ONES, fine()), Share::ALL);
-  EXPECT_EQ(checkCenters(test, optimum, 0.644 * ONES, fine()), Share::NONE);
-  const Box around{ 0.08 * ONES, 0.09 * ONES };
-  EXPECT_EQ(checkCenters(test, around, 0.65 * ONES, fine()), Share::NONE);
-  EXPECT_EQ(checkCenters(test, around, 0.62 * ONES, fine()), Share::ALL);
+  const Box optimum{ 0.086273015 * ALL_ONES, 0.086273015 * ALL_ONES };
+  EXPECT_EQ(checkCenters(test, optimum, 0.6439 * ALL_ONES, fine()), Share::ALL);
+  EXPECT_EQ(checkCenters(test, optimum, 0.644 * ALL_ONES, fine()), Share::NONE);
+  const Box around{ 0.08 * ALL_ONES, 0.09 * ALL_ONES };
+  EXPECT_EQ(checkCenters(test, around, 0.65 * ALL_ONES, fine()), Share::NONE);
+  EXPECT_EQ(checkCenters(test, around, 0.62 * ALL_ONES, fine()), Share::ALL);
 }
 }  // namespace pkm_workspace

@@ -16,12 +16,13 @@
 #include "paving/pavings.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260607;
+using test::SEED;
 constexpr std::size_t SIZE_PLACE = 15;    // of the file's size in it
 constexpr std::size_t FIRST_CHOICE = 80;  // behind the texts
 

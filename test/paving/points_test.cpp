@@ -5,12 +5,13 @@
 #include "paving/pavings.h"
 #include "support/cases.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260605;
+using test::SEED;
 
 /// Finds the box of a paving that a point lies in.
 class Finder

@@ -10,6 +10,7 @@
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -17,7 +18,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr unsigned SEED = 20261123;
+using test::SEED;
 
 JointIntervals equalisedOver(const Machine& machine, const Shape& shape, const Vector3d& center, double size)
 {

@@ -5,12 +5,13 @@
 #include "paving/pavings.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260606;
+using test::SEED;
 
 using test::expectSame;
 using test::query;

@@ -8,12 +8,13 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260603;
+using test::SEED;
 const Eigen::Vector3d CUBE_CENTER = Eigen::Vector3d::Constant(0.086273015);
 }  // namespace
 

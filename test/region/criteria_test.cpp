@@ -6,12 +6,13 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261122;
+using test::SEED;
 
 RegionQuery cubeQuery(const Criterion& criterion, double accuracy = 1e-3)
 {

@@ -10,12 +10,13 @@
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260604;
+using test::SEED;
 using Number = test::Oracle::Number;
 
 test::Oracle::Vector exactly(const Eigen::Vector3d& point)

@@ -7,17 +7,18 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 #include "support/rounding_mode.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20260602;
+using test::SEED;
 
 // docs/values.md: 1/sqrt(6) + 1/(3 sqrt(2)), between two doubles.
 const Interval CUBE_EDGE = Interval(1.0) / sqrt(Interval(6.0)) + Interval(1.0) / (Interval(3.0) * sqrt(Interval(2.0)));
-constexpr double CUBE_CENTER = 0.086273015;
+constexpr double CUBE_COORDINATE = 0.086273015;
 // Values called "search" in docs/values.md are good to this.
 constexpr double SEARCH_ERROR = 1e-5;
 
@@ -69,7 +70,7 @@ TEST(LargestRegion, orthoglideCubeOfTheIssue)
   EXPECT_GE(region.size_upper_bound, 0.6439505);
   EXPECT_LE(region.size_upper_bound, region.size + 1e-3);
   for (int axis = 0; axis < 3; ++axis)
-    EXPECT_NEAR(region.center[axis], CUBE_CENTER, 1e-3);
+    EXPECT_NEAR(region.center[axis], CUBE_COORDINATE, 1e-3);
 }
 
 // docs/values.md: bounds [1/f, f].

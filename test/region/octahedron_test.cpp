@@ -11,12 +11,13 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261127;
+using test::SEED;
 
 Eigen::Vector3d pointOf(const Shape& shape, const Eigen::Vector3d& center, double size, test::RandomBoxes& random)
 {

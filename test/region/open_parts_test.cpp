@@ -3,6 +3,7 @@
 
 #include "pkm_workspace/region/path_check.h"
 #include "region/paths.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -10,8 +11,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20261125;
-
 void expectOpenPartsHold(const PathResult& result, const Oracle& oracle, const ExactSegment& exact, RandomBoxes& random)
 {
   const PathOffence& first = *result.first;

@@ -11,6 +11,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -20,7 +21,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr unsigned SEED = 20261126;
 constexpr double NEAR_BORDER = 1e-9;  // where doubles are not trusted [m, and without unit]
 
 /// Decides points in doubles, and those near the border in 100 digits.
@@ -89,7 +89,7 @@ void expectHoldsFromOutside(const Machine& machine, const RegionQuery& query, in
   }
 }
 
-RegionQuery queryFor(const ShapePtr& shape, double accuracy = 1e-3)
+RegionQuery outsideQuery(const ShapePtr& shape, double accuracy = 1e-3)
 {
   RegionQuery query;
   query.shape = shape;
@@ -104,14 +104,14 @@ TEST(RegionsFromOutside, everyShapeOfEveryMachine)
   for (const Machine& machine : { orthoglide(), crooked(4), cone() })
     for (const ShapePtr& shape : { makeCube(), makeSquare(), makeBox({ 1.0, 0.6, 1.3 }), makeSphere(), makeDisc(),
                                    makeCylinder(0.5), makeCylinder(3.0) })
-      expectHoldsFromOutside(machine, queryFor(shape), cases(100), cases(10));
+      expectHoldsFromOutside(machine, outsideQuery(shape), cases(100), cases(10));
   for (const ShapePtr& shape : { makeSquare(), makeDisc() })
-    expectHoldsFromOutside(uranesx(), queryFor(shape), cases(100), cases(10));
+    expectHoldsFromOutside(uranesx(), outsideQuery(shape), cases(100), cases(10));
 }
 
 TEST(RegionsFromOutside, theCylinderOfTheBestRatio)
 {
-  RegionQuery query = queryFor(makeCube(), 1e-2);
+  RegionQuery query = outsideQuery(makeCube(), 1e-2);
   setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
   const LargestRegion best = findLargestRegion(orthoglide(), query);
   const Judge judge(orthoglide());
@@ -136,10 +136,10 @@ TEST(RegionsFromOutside, turnedMachinesHaveTheSameSphere)
   const Pose turned{ { 0.1, -0.5, 0.3, std::sqrt(1.0 - 0.35) }, Vector3d(0.0, 0.0, 0.1) };
   for (const Machine& machine : { orthoglide(), crooked(4), cone() })
   {
-    const LargestRegion here = findLargestRegion(machine, queryFor(makeSphere(), 1e-4));
+    const LargestRegion here = findLargestRegion(machine, outsideQuery(makeSphere(), 1e-4));
     for (const Pose& pose : { tilted, turned })
     {
-      const LargestRegion there = findLargestRegion(machineInFrame(machine, pose), queryFor(makeSphere(), 1e-4));
+      const LargestRegion there = findLargestRegion(machineInFrame(machine, pose), outsideQuery(makeSphere(), 1e-4));
       EXPECT_LE(there.size, here.size_upper_bound) << machine.name();
       EXPECT_LE(here.size, there.size_upper_bound) << machine.name();
     }
@@ -149,18 +149,18 @@ TEST(RegionsFromOutside, turnedMachinesHaveTheSameSphere)
 TEST(RegionsFromOutside, aQuarterTurnKeepsTheCubeAndTheRailsDirection)
 {
   const double s = std::sqrt(0.5);
-  const LargestRegion here = findLargestRegion(crooked(4), queryFor(makeCube(), 1e-4));
+  const LargestRegion here = findLargestRegion(crooked(4), outsideQuery(makeCube(), 1e-4));
   for (const Pose& pose :
        { Pose{ { s, 0.0, 0.0, s }, Vector3d(1.0, 2.0, 3.0) }, Pose{ { 0.5, 0.5, 0.5, 0.5 }, Vector3d::Zero() } })
   {
-    const LargestRegion there = findLargestRegion(machineInFrame(crooked(4), pose), queryFor(makeCube(), 1e-4));
+    const LargestRegion there = findLargestRegion(machineInFrame(crooked(4), pose), outsideQuery(makeCube(), 1e-4));
     EXPECT_LE(there.size, here.size_upper_bound);
     EXPECT_LE(here.size, there.size_upper_bound);
   }
-  const LargestRegion square = findLargestRegion(uranesx(), queryFor(makeSquare(), 1e-4));
+  const LargestRegion square = findLargestRegion(uranesx(), outsideQuery(makeSquare(), 1e-4));
   const Pose about_the_rails{ { 0.0, 0.0, s, s }, Vector3d(0.5, 0.0, 1.0) };
   const LargestRegion moved =
-      findLargestRegion(machineInFrame(uranesx(), about_the_rails), queryFor(makeSquare(), 1e-4));
+      findLargestRegion(machineInFrame(uranesx(), about_the_rails), outsideQuery(makeSquare(), 1e-4));
   EXPECT_LE(moved.size, square.size_upper_bound);
   EXPECT_LE(square.size, moved.size_upper_bound);
 }

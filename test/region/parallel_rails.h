@@ -16,7 +16,6 @@ namespace pkm_workspace
 {
 namespace test
 {
-constexpr unsigned SEED = 20261128;
 
 /// Three rails along z, some of them counting downwards, at the corners of a triangle without symmetry; struts that
 /// hang from them. Joints may move from -0.45 to -0.15 m and from 0.15 to 0.45 m around the zero configuration, at the

@@ -7,6 +7,7 @@
 
 #include "region/paths.h"
 #include "support/expect_throw.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -15,7 +16,6 @@ namespace test
 namespace
 {
 using Eigen::Vector3d;
-constexpr unsigned SEED = 20261124;
 
 /// Where the segment leaves the set, by bisection to 60 digits between samples; nothing when no sample is bad.
 std::optional<Number> border(const Oracle& oracle, const ExactSegment& exact)

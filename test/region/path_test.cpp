@@ -7,6 +7,7 @@
 
 #include "support/cases.h"
 #include "support/expect_throw.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -16,7 +17,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr unsigned SEED = 20261123;
 const Box SPACE{ Vector3d::Constant(-2.0), Vector3d::Constant(2.0) };
 const double PI = pkm_workspace::pi().mid();
 }  // namespace

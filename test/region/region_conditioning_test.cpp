@@ -5,12 +5,13 @@
 #include "pkm_workspace/region/region_parts.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-constexpr unsigned SEED = 20261124;
+using test::SEED;
 constexpr int SAMPLES = 20000;
 
 /// The mean over random points of the region; its error is a few thousandths.

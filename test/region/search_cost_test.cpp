@@ -42,7 +42,7 @@ namespace pkm_workspace
 {
 namespace
 {
-LargestRegion solve(const Machine& machine, const ShapePtr& shape, double accuracy)
+LargestRegion solveFor(const Machine& machine, const ShapePtr& shape, double accuracy)
 {
   RegionQuery query;
   query.shape = shape;
@@ -63,13 +63,13 @@ TEST(SearchCost, aCubeThatNearlyTouchesTheBound)
 
 TEST(SearchCost, growsHardlyWithTheAccuracy)
 {
-  const LargestRegion coarse = solve(orthoglide(), makeCube(), 1e-3);
+  const LargestRegion coarse = solveFor(orthoglide(), makeCube(), 1e-3);
   EXPECT_LE(coarse.boxes, 400);
   EXPECT_LE(coarse.verification_boxes, 400);
-  const LargestRegion fine = solve(orthoglide(), makeCube(), 1e-7);
+  const LargestRegion fine = solveFor(orthoglide(), makeCube(), 1e-7);
   EXPECT_LE(fine.boxes, coarse.boxes + coarse.boxes / 2);
   EXPECT_LE(fine.verification_boxes, 400);
-  const LargestRegion square = solve(uranesx(), makeSquare(), 1e-6);
+  const LargestRegion square = solveFor(uranesx(), makeSquare(), 1e-6);
   EXPECT_LE(square.boxes, 150);
   EXPECT_LE(square.verification_boxes, 300);
 }
@@ -77,10 +77,10 @@ TEST(SearchCost, growsHardlyWithTheAccuracy)
 // The square's inside nearly touches the bound, from one side and from the other.
 TEST(SearchCost, aSpotWithinTheSquare)
 {
-  const LargestRegion clear = solve(uranesx(Interval(0.3850), Interval(0.0)), makeSquare(), 1e-4);
+  const LargestRegion clear = solveFor(uranesx(Interval(0.3850), Interval(0.0)), makeSquare(), 1e-4);
   EXPECT_LE(clear.boxes, 150);
   EXPECT_LE(clear.verification_boxes, 3000);
-  const LargestRegion bad = solve(uranesx(Interval(0.3848), Interval(0.0)), makeSquare(), 1e-4);
+  const LargestRegion bad = solveFor(uranesx(Interval(0.3848), Interval(0.0)), makeSquare(), 1e-4);
   EXPECT_LE(bad.boxes, 700);
   EXPECT_LE(bad.verification_boxes, 15000);
 }
@@ -165,7 +165,7 @@ TEST(SearchCost, limitsOfParallelRails)
 {
   for (const ShapePtr& shape : { makeSquare(), makeDisc() })
   {
-    const LargestRegion free = solve(uranesx(), shape, 1e-3);
+    const LargestRegion free = solveFor(uranesx(), shape, 1e-3);
     for (const double limit : { 1.0, 0.4, 0.2 })
     {
       Machine::Legs legs = uranesx().legs();
@@ -186,7 +186,7 @@ TEST(SearchCost, machinesWithoutSymmetry)
   std::vector<std::int64_t> boxes;
   for (unsigned seed = 1; seed <= 20; ++seed)
   {
-    const LargestRegion region = solve(test::crooked(seed), makeCube(), 1e-4);
+    const LargestRegion region = solveFor(test::crooked(seed), makeCube(), 1e-4);
     boxes.push_back(region.boxes);
     EXPECT_LE(region.verification_boxes, 7000) << "seed " << seed;
   }

@@ -8,6 +8,7 @@
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -18,7 +19,7 @@ using Number = test::Oracle::Number;
 using Vector = test::Oracle::Vector;
 using Aspect = Criterion::Aspect;
 
-constexpr unsigned SEED = 20261126;
+using test::SEED;
 
 Criterion reachable(Aspect aspect)
 {

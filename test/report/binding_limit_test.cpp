@@ -7,6 +7,7 @@
 
 #include "pkm_workspace/region/path_check.h"
 #include "region/paths.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -14,8 +15,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20261126;
-
 /// A sentence with what stands at its numbers.
 class Claim
 {

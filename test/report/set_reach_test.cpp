@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/machines.h"
+#include "support/random.h"
 
 namespace pkm_workspace
 {
@@ -14,7 +15,6 @@ namespace test
 {
 namespace
 {
-constexpr unsigned SEED = 20261127;
 constexpr int POINTS = 20000;
 
 /// Limits from -2 to 1.5 tenths of a strut are left aside.

@@ -9,12 +9,10 @@ namespace test
 {
 namespace
 {
-using Request = ComputeConditioning::Request;
-
-Request overCube()
+ComputeConditioning::Request overCube()
 {
-  Request request;
-  request.over = Request::REGION;
+  ComputeConditioning::Request request;
+  request.over = ComputeConditioning::Request::REGION;
   request.solid.type = shape_msgs::SolidPrimitive::BOX;
   request.solid.dimensions = { 0.5, 0.5, 0.5 };
   request.center.x = request.center.y = request.center.z = 0.086;
@@ -38,7 +36,7 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
   EXPECT_EQ(0.0, cube.hypotheses.psi_min);
   EXPECT_FALSE(cube.hypotheses.joint_limits);
 
-  Request request;
+  ComputeConditioning::Request request;
   request.accuracy = 0.1;
   const auto set = call<ComputeConditioning>("compute_conditioning", request);
   ASSERT_EQ(ErrorCode::SUCCESS, set.error_code) << set.message;
@@ -50,7 +48,7 @@ TEST(ComputeConditioning, enclosesTheIndexOfARegionAndOfTheSet)
 TEST(ComputeConditioning, saysWhatItMeansForLimitsThatAreLeftAside)
 {
   constexpr const char* REMARK = "Joint limits are off: all rails stay within their limits.";
-  Request request;
+  ComputeConditioning::Request request;
   request.accuracy = 0.3;
   EXPECT_EQ(std::string::npos, call<ComputeConditioning>("compute_conditioning", request).message.find("limits are"));
   request.criterion.joint_limits = CriterionRequest::OFF;
@@ -60,8 +58,8 @@ TEST(ComputeConditioning, saysWhatItMeansForLimitsThatAreLeftAside)
 
 TEST(ComputeConditioning, tellsThatNoPointIsReached)
 {
-  Request request;
-  request.over = Request::REGION;
+  ComputeConditioning::Request request;
+  request.over = ComputeConditioning::Request::REGION;
   request.solid.type = shape_msgs::SolidPrimitive::SPHERE;
   request.solid.dimensions = { 0.1 };
   request.center.x = request.center.y = request.center.z = 9.0;
@@ -75,7 +73,7 @@ TEST(ComputeConditioning, tellsThatNoPointIsReached)
 
 TEST(ComputeConditioning, saysWhereNothingIsProved)
 {
-  Request request;
+  ComputeConditioning::Request request;
   request.time_limit = 1e-9;
   const auto nothing = call<ComputeConditioning>("compute_conditioning", request);
   EXPECT_EQ(0.0, nothing.index.lower);
@@ -86,7 +84,7 @@ TEST(ComputeConditioning, saysWhereNothingIsProved)
 
 TEST(ComputeConditioning, takesACylinderWithoutARadiusForTheLineThatItIs)
 {
-  Request request = overCube();
+  ComputeConditioning::Request request = overCube();
   request.solid.dimensions = { 0.0, 0.0, 0.3 };
   const auto line = call<ComputeConditioning>("compute_conditioning", request);
   request.solid.type = shape_msgs::SolidPrimitive::CYLINDER;
@@ -98,7 +96,7 @@ TEST(ComputeConditioning, takesACylinderWithoutARadiusForTheLineThatItIs)
 
 TEST(ComputeConditioning, refusesWhatIsOutOfRangeOrWithoutEffect)
 {
-  Request request = overCube();
+  ComputeConditioning::Request request = overCube();
   request.criterion.kappa_max = 2.0;
   request.accuracy = -1.0;
   const auto refused = call<ComputeConditioning>("compute_conditioning", request);

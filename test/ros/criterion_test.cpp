@@ -72,7 +72,6 @@ TEST(SetCriterion, computesAgainAndLatches)
 
 TEST(SetCriterion, takesInfinityForNoneWhereTheMessageSaysSo)
 {
-  constexpr double INF = std::numeric_limits<double>::infinity();
   using Field = double CriterionRequest::*;
   const std::pair<Field, const char*> bounds[] = { { &CriterionRequest::force_min, "force_min" },
                                                    { &CriterionRequest::force_max, "force_max" },

@@ -17,9 +17,6 @@ namespace test
 {
 namespace
 {
-using Request = CheckPath::Request;
-using Response = CheckPath::Response;
-
 geometry_msgs::Point point(double x, double y, double z)
 {
   geometry_msgs::Point message;
@@ -49,9 +46,9 @@ ToolSegment circle(double radius)
   return segment;
 }
 
-Response check(const std::vector<ToolSegment>& segments)
+CheckPath::Response check(const std::vector<ToolSegment>& segments)
 {
-  Request request;
+  CheckPath::Request request;
   request.segments = segments;
   return call<CheckPath>("check_path", request);
 }
@@ -67,7 +64,7 @@ EvaluatePoint::Response evaluate(double x, double y, double z)
 TEST(CheckPath, provesWholeLinesAndTellsWhatTheMachineDoes)
 {
   const auto response = check({ line(point(0, 0, 0), point(0.3, 0, 0)), line(point(0.3, 0, 0), point(0.3, 0.3, 0.2)) });
-  ASSERT_EQ(Response::INSIDE, response.verdict) << response.message;
+  ASSERT_EQ(CheckPath::Response::INSIDE, response.verdict) << response.message;
   EXPECT_EQ(2U, response.segment_verdicts.size());
   EXPECT_EQ(-1, response.offending_segment);
   const auto start = inverseKinematics(orthoglide(), Eigen::Vector3d::Zero());
@@ -84,8 +81,8 @@ TEST(CheckPath, provesWholeLinesAndTellsWhatTheMachineDoes)
 TEST(CheckPath, namesTheFirstOffence)
 {
   const auto response = check({ line(point(0, 0, 0), point(0.1, 0, 0)), line(point(0.1, 0, 0), point(0.9, 0.9, 0.9)) });
-  ASSERT_EQ(Response::OUTSIDE, response.verdict) << response.message;
-  EXPECT_EQ(Response::INSIDE, response.segment_verdicts[0]);
+  ASSERT_EQ(CheckPath::Response::OUTSIDE, response.verdict) << response.message;
+  EXPECT_EQ(CheckPath::Response::INSIDE, response.segment_verdicts[0]);
   EXPECT_EQ(1, response.offending_segment);
   EXPECT_LE(response.good_until, response.bad_at);
   EXPECT_LE(response.bad_at - response.good_until, 1e-6);
@@ -100,7 +97,7 @@ TEST(CheckPath, namesTheFirstOffence)
 
 TEST(CheckPath, takesArcsWhole)
 {
-  EXPECT_EQ(Response::INSIDE, check({ circle(0.2) }).verdict);
+  EXPECT_EQ(CheckPath::Response::INSIDE, check({ circle(0.2) }).verdict);
   // the start is good, and so is the end: the same point
   EXPECT_EQ(EvaluatePoint::Response::INSIDE, evaluate(0.38, 0.0, 0.0).verdict);
   ToolSegment through;
@@ -109,12 +106,12 @@ TEST(CheckPath, takesArcsWhole)
   through.via = point(-0.38, -0.38, 0);
   through.end = point(0, 0.38, 0);
   EXPECT_EQ(EvaluatePoint::Response::INSIDE, evaluate(0.0, 0.38, 0.0).verdict);
-  EXPECT_EQ(Response::OUTSIDE, check({ through }).verdict) << "its ends are good, its middle is not";
+  EXPECT_EQ(CheckPath::Response::OUTSIDE, check({ through }).verdict) << "its ends are good, its middle is not";
 }
 
 TEST(CheckPath, takesPathsOfPoses)
 {
-  Request request;
+  CheckPath::Request request;
   request.path.header.frame_id = "base_link";
   for (const double x : { 0.0, 0.1, 0.2 })
   {
@@ -123,18 +120,18 @@ TEST(CheckPath, takesPathsOfPoses)
     request.path.poses.push_back(pose);
   }
   const auto response = call<CheckPath>("check_path", request);
-  EXPECT_EQ(Response::INSIDE, response.verdict) << response.message;
+  EXPECT_EQ(CheckPath::Response::INSIDE, response.verdict) << response.message;
   EXPECT_EQ(2U, response.segment_verdicts.size());
 }
 
 TEST(CheckPath, takesAFrameWithAndWithoutItsSlash)
 {
-  Request request;
+  CheckPath::Request request;
   request.segments = { line(point(0, 0, 0), point(0.1, 0, 0)) };
   request.header.frame_id = "/base_link";
   request.path.header.frame_id = "base_link";
   const auto response = call<CheckPath>("check_path", request);
-  EXPECT_EQ(Response::INSIDE, response.verdict) << response.message;
+  EXPECT_EQ(CheckPath::Response::INSIDE, response.verdict) << response.message;
   EXPECT_EQ("base_link", response.header.frame_id);
 }
 
@@ -142,10 +139,10 @@ TEST(CheckPath, takesAFrameWithAndWithoutItsSlash)
 TEST(CheckPath, leavesShortRequestsAloneWhenItIsLong)
 {
   const ToolSegment segment = line(point(0, 0, 0), point(0.1, 0, 0));
-  Request request;
+  CheckPath::Request request;
   request.segments.assign(1000000, segment);
   std::atomic<bool> is_done(false);
-  Response long_answer;
+  CheckPath::Response long_answer;
   std::thread planner([&] {
     long_answer = call<CheckPath>("check_path", request);
     is_done = true;
@@ -156,13 +153,13 @@ TEST(CheckPath, leavesShortRequestsAloneWhenItIsLong)
     const auto there = evaluate(0.0, 0.0, 0.0);
     const auto path = check({ segment });
     EXPECT_EQ(EvaluatePoint::Response::INSIDE, there.verdict);
-    EXPECT_EQ(Response::INSIDE, path.verdict);
+    EXPECT_EQ(CheckPath::Response::INSIDE, path.verdict);
     if (!is_done)
       begun.push_back(std::min(there.header.stamp, path.header.stamp));
   }
   planner.join();
-  EXPECT_EQ(Response::INSIDE, long_answer.verdict) << long_answer.message;
-  EXPECT_EQ(Response::COMPLETE, long_answer.end);
+  EXPECT_EQ(CheckPath::Response::INSIDE, long_answer.verdict) << long_answer.message;
+  EXPECT_EQ(CheckPath::Response::COMPLETE, long_answer.end);
   EXPECT_EQ(1000000U, long_answer.segment_verdicts.size());
   const auto meanwhile =
       std::count_if(begun.begin(), begun.end(), [&](const ros::Time& time) { return time > long_answer.header.stamp; });
@@ -171,28 +168,28 @@ TEST(CheckPath, leavesShortRequestsAloneWhenItIsLong)
 
 TEST(CheckPath, refusesWhatIsOutOfRange)
 {
-  const auto expectRefused = [](const Request& request, const std::string& message) {
+  const auto expectRefused = [](const CheckPath::Request& request, const std::string& message) {
     const auto response = call<CheckPath>("check_path", request);
     EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);
     EXPECT_TRUE(std::regex_search(response.message, std::regex(message))) << response.message;
   };
   const auto with = [](const ToolSegment& segment) {
-    Request request;
+    CheckPath::Request request;
     request.segments = { segment };
     return request;
   };
-  expectRefused(Request(), "give either segments or a path");
+  expectRefused(CheckPath::Request(), "give either segments or a path");
   expectRefused(with(ToolSegment()), "segments\\[0\\]: kind = 0 must be LINE = 1");
   ToolSegment bent = line(point(0, 0, 0), point(0.1, 0, 0));
   bent.angle = 1.0;
   expectRefused(with(bent), "angle and lift must be 0 unless kind = ARC");
   expectRefused(with(line(point(0, 0, 0), point(std::nan(""), 0, 0))), "segments\\[0\\]: ");
-  Request fast = with(line(point(0, 0, 0), point(0.1, 0, 0)));
+  CheckPath::Request fast = with(line(point(0, 0, 0), point(0.1, 0, 0)));
   fast.tool_speed = -1.0;
   expectRefused(fast, "tool_speed = -1 m/s must be from 1e-9 to 1e9 m/s");
   fast.tool_speed = 1e300;
   expectRefused(fast, "tool_speed = 1e\\+300 m/s must be from 1e-9 to 1e9 m/s");
-  Request two = fast;
+  CheckPath::Request two = fast;
   two.tool_speed = 0.0;
   two.header.frame_id = "base_link";
   two.path.header.frame_id = "elsewhere";

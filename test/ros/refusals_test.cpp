@@ -12,7 +12,6 @@ namespace test
 namespace
 {
 constexpr double NAN_VALUE = std::numeric_limits<double>::quiet_NaN();
-constexpr double INF = std::numeric_limits<double>::infinity();
 
 struct BadRequest
 {

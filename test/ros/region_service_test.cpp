@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <limits>
 
 #include "node_client.h"
 
@@ -11,9 +10,8 @@ namespace test
 {
 namespace
 {
-constexpr double INF = std::numeric_limits<double>::infinity();
-const double LARGEST_EDGE = 1.0 / std::sqrt(6.0) + 1.0 / (3.0 * std::sqrt(2.0));
-const double CENTER = 0.086273015;
+const double SERVED_EDGE = 1.0 / std::sqrt(6.0) + 1.0 / (3.0 * std::sqrt(2.0));
+const double SERVED_CENTER = 0.086273015;
 const double STROKE = 1.0 + 1.0 / (3.0 * std::sqrt(2.0)) - 1.0 / std::sqrt(6.0);
 const double ACROSS = 1.0 - std::sqrt(2.0 / 3.0);
 
@@ -44,11 +42,11 @@ TEST(ComputeLargestRegion, certifiesTheCubeWithTheNodesOwnValues)
   const Region& region = response.region;
   EXPECT_EQ(Region::CUBE, region.shape);
   EXPECT_GE(region.size, 0.64295);
-  EXPECT_LE(region.size, LARGEST_EDGE);
-  EXPECT_GE(region.size_upper_bound, LARGEST_EDGE);
-  EXPECT_NEAR(CENTER, region.center.x, 2e-3);
-  EXPECT_NEAR(CENTER, region.center.y, 2e-3);
-  EXPECT_NEAR(CENTER, region.center.z, 2e-3);
+  EXPECT_LE(region.size, SERVED_EDGE);
+  EXPECT_GE(region.size_upper_bound, SERVED_EDGE);
+  EXPECT_NEAR(SERVED_CENTER, region.center.x, 2e-3);
+  EXPECT_NEAR(SERVED_CENTER, region.center.y, 2e-3);
+  EXPECT_NEAR(SERVED_CENTER, region.center.z, 2e-3);
   EXPECT_EQ("base_link", region.header.frame_id);
   EXPECT_FALSE(region.header.stamp.isZero());
 }
@@ -150,7 +148,7 @@ TEST(ComputeLargestRegion, takesForceFactorsInPlaceOfVelocityFactors)
   query.criterion.kappa_max = INF;
   const auto response = compute(query);
   expectProven(response, 1e-3);
-  expectBracket(response.region, LARGEST_EDGE, 0.0);
+  expectBracket(response.region, SERVED_EDGE, 0.0);
   EXPECT_EQ(Hypotheses::REACHABLE, response.region.hypotheses.set);
   EXPECT_EQ(0.0, response.region.hypotheses.psi_max);
   EXPECT_EQ(2.0, response.region.hypotheses.force_max);
@@ -170,7 +168,7 @@ TEST(ComputeLargestRegion, findsSquaresAndBoxes)
   query.proportions.x = query.proportions.y = query.proportions.z = 2.0;
   const auto box = compute(query);
   expectProven(box, 1e-3);
-  expectBracket(box.region, 0.5 * LARGEST_EDGE, 0.0);
+  expectBracket(box.region, 0.5 * SERVED_EDGE, 0.0);
   EXPECT_EQ(2.0 * box.region.size, box.region.solid.dimensions[0]);
   EXPECT_GT(square.region.size_upper_bound, 2.0 * box.region.size);
 }
@@ -221,7 +219,7 @@ TEST(ComputeLargestRegion, keepsTheCenterInTheSearchBox)
   const auto response = compute(query);
   expectProven(response, 1e-3);
   EXPECT_EQ(0.2, response.region.center.x);
-  EXPECT_LT(response.region.size_upper_bound, LARGEST_EDGE);
+  EXPECT_LT(response.region.size_upper_bound, SERVED_EDGE);
   EXPECT_TRUE(response.region.use_search_box);
   EXPECT_EQ(query.max_corner.y, response.region.max_corner.y);
 }
@@ -274,7 +272,7 @@ TEST(ComputeLargestRegion, goesOnInMultiPrecisionWhereAsked)
   request.multi_precision = true;
   const auto response = compute(request);
   expectProven(response, 1e-13);
-  expectBracket(response.region, LARGEST_EDGE, 1e-15);
+  expectBracket(response.region, SERVED_EDGE, 1e-15);
 }
 }  // namespace test
 }  // namespace pkm_workspace

@@ -15,20 +15,18 @@ namespace test
 {
 namespace
 {
-using Request = FindSingularities::Request;
-
-Request overCube(double edge)
+FindSingularities::Request overCube(double edge)
 {
-  Request request;
-  request.over = Request::REGION;
-  request.aspect = Request::BOTH;
+  FindSingularities::Request request;
+  request.over = FindSingularities::Request::REGION;
+  request.aspect = FindSingularities::Request::BOTH;
   request.solid.type = shape_msgs::SolidPrimitive::BOX;
   request.solid.dimensions = { edge, edge, edge };
   request.center.x = request.center.y = request.center.z = 0.086;
   return request;
 }
 
-FindSingularities::Response find(const Request& request)
+FindSingularities::Response find(const FindSingularities::Request& request)
 {
   return call<FindSingularities>("find_singularities", request);
 }
@@ -52,9 +50,9 @@ TEST(FindSingularities, provesThatTheLargestCubeHasNone)
 /// The stroke of the largest cube allows a parallel singularity elsewhere, against a sentence of the paper.
 TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
 {
-  Request request;
-  request.over = Request::JOINT_RANGES;
-  request.aspect = Request::BOTH;
+  FindSingularities::Request request;
+  request.over = FindSingularities::Request::JOINT_RANGES;
+  request.aspect = FindSingularities::Request::BOTH;
   for (Bounds& range : request.ranges)
   {
     range.lower = -0.3;
@@ -81,10 +79,11 @@ TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
 
 TEST(FindSingularities, countsPointsWhereDetAIsZeroInEachAspect)
 {
-  for (const std::uint8_t aspect : { Request::OWN, Request::OTHER, Request::BOTH })
+  for (const std::uint8_t aspect :
+       { FindSingularities::Request::OWN, FindSingularities::Request::OTHER, FindSingularities::Request::BOTH })
   {
-    Request request;
-    request.over = Request::REACHABLE;
+    FindSingularities::Request request;
+    request.over = FindSingularities::Request::REACHABLE;
     request.aspect = aspect;
     const auto found = find(request);
     EXPECT_EQ(SingularityFinding::PROVED, found.parallel.status) << found;
@@ -98,15 +97,15 @@ TEST(FindSingularities, countsPointsWhereDetAIsZeroInEachAspect)
 TEST(FindSingularities, saysWhatItMeansForLimitsThatAreLeftAside)
 {
   constexpr const char* REMARK = "Joint limits are off: all rails stay within their limits.";
-  Request request;
+  FindSingularities::Request request;
   EXPECT_EQ(std::string::npos, find(request).message.find("Joint limits")) << find(request).message;
   EXPECT_NE(std::string::npos, find(overCube(0.5)).message.find(REMARK)) << find(overCube(0.5)).message;
 }
 
 TEST(FindSingularities, saysWhatLeftSomethingUndecided)
 {
-  Request request;
-  request.over = Request::REACHABLE;
+  FindSingularities::Request request;
+  request.over = FindSingularities::Request::REACHABLE;
   request.time_limit = 1e-9;
   const std::string message = find(request).message;
   EXPECT_NE(std::string::npos, message.find("parallel singularities, where the time limit of 1e-09 s ended the search"))
@@ -115,7 +114,7 @@ TEST(FindSingularities, saysWhatLeftSomethingUndecided)
 
 TEST(FindSingularities, takesRoundSolids)
 {
-  Request request = overCube(0.0);
+  FindSingularities::Request request = overCube(0.0);
   request.solid.type = shape_msgs::SolidPrimitive::CYLINDER;
   request.solid.dimensions = { 0.4, 0.2 };
   EXPECT_EQ(SingularityFinding::NONE, find(request).parallel.status);
@@ -128,28 +127,33 @@ TEST(FindSingularities, refusesWhatIsOutOfRange)
 {
   struct Case
   {
-    void (*spoil)(Request&);
+    void (*spoil)(FindSingularities::Request&);
     const char* message;
   };
   const Case cases[] = {
-    { [](Request& r) { r.over = 4; }, "over = 4 must be JOINT_LIMITS = 0" },
-    { [](Request& r) { r.over = Request::REACHABLE; }, "solid and center must be empty and 0" },
-    { [](Request& r) { r.ranges[1].upper = 1.0; }, "ranges must be 0 .*unless over = JOINT_RANGES" },
-    { [](Request& r) { r.aspect = 4; }, "aspect = 4 must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for both" },
-    { [](Request& r) { r.accuracy = -1.0; }, "accuracy = -1" },
-    { [](Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be positive and at most" },
-    { [](Request& r) { r.solid.type = 4; }, "solid.type = 4 must be BOX = 1" },
-    { [](Request& r) { r.solid.dimensions.pop_back(); }, "solid.dimensions = .* must be three full sides" },
-    { [](Request& r) {
+    { [](FindSingularities::Request& r) { r.over = 4; }, "over = 4 must be JOINT_LIMITS = 0" },
+    { [](FindSingularities::Request& r) { r.over = FindSingularities::Request::REACHABLE; },
+      "solid and center must be empty and 0" },
+    { [](FindSingularities::Request& r) { r.ranges[1].upper = 1.0; }, "ranges must be 0 .*unless over = JOINT_RANGES" },
+    { [](FindSingularities::Request& r) { r.aspect = 4; },
+      "aspect = 4 must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for both" },
+    { [](FindSingularities::Request& r) { r.accuracy = -1.0; }, "accuracy = -1" },
+    { [](FindSingularities::Request& r) { r.time_limit = 61.0; }, "time_limit = 61 s must be positive and at most" },
+    { [](FindSingularities::Request& r) { r.solid.type = 4; }, "solid.type = 4 must be BOX = 1" },
+    { [](FindSingularities::Request& r) { r.solid.dimensions.pop_back(); },
+      "solid.dimensions = .* must be three full sides" },
+    { [](FindSingularities::Request& r) {
        r.solid.dimensions = { 0.0, 0.0, 0.0 };
      },
       "solid.dimensions = \\(0, 0, 0\\) m must be" },
-    { [](Request& r) { r.solid.dimensions[0] = -1.0; }, "solid.dimensions = \\(-1, .* each 0 or from 1e-100 to 1e9" },
-    { [](Request& r) { r.center.z = std::numeric_limits<double>::infinity(); }, "center = .* m must be finite" },
+    { [](FindSingularities::Request& r) { r.solid.dimensions[0] = -1.0; },
+      "solid.dimensions = \\(-1, .* each 0 or from 1e-100 to 1e9" },
+    { [](FindSingularities::Request& r) { r.center.z = std::numeric_limits<double>::infinity(); },
+      "center = .* m must be finite" },
   };
   for (const Case& bad : cases)
   {
-    Request request = overCube(0.5);
+    FindSingularities::Request request = overCube(0.5);
     bad.spoil(request);
     const auto response = find(request);
     EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);

@@ -72,7 +72,7 @@ TEST(BestParameter, keepsToItsMemory)
 
 TEST(BestParameter, noMachineContradictsTheBracket)
 {
-  constexpr std::uint64_t SEED = 20261122;
+  using test::SEED;
   SCOPED_TRACE(SEED);
   test::Random random(SEED);
   for (const auto& ends : { Interval(0.2, 0.9), Interval(0.3849, 0.386), Interval(0.45, 0.55) })

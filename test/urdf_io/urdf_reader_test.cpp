@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "expect_refused.h"
 
 #include <gtest/gtest.h>
 
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "urdf_io/expect_machine.h"
+#include "urdf_io/expect_refused.h"
 #include "urdf_io/urdf_edit.h"
 
 namespace pkm_workspace
@@ -18,12 +20,6 @@ const Machine& unit()
 {
   static const Machine machine = orthoglide();
   return machine;
-}
-
-const std::string& good()
-{
-  static const std::string urdf = writeUrdf(unit());
-  return urdf;
 }
 
 IntervalVector vector(double x, double y, double z)

@@ -15,6 +15,8 @@ static_assert(std::numeric_limits<double>::is_iec559, "pkm_workspace needs IEEE 
 
 namespace pkm_workspace
 {
+constexpr double INF = std::numeric_limits<double>::infinity();
+
 /// What is known about floating-point rounding; every bound of the project rests on this file and on interval.cpp.
 namespace rounding
 {
