@@ -158,14 +158,14 @@ bool hangsBelowSliders(const Region& region, const Machine& machine)
   return above > 0.0;
 }
 
-void addRegion(const Region& region, const Machine& machine, Scene& scene)
+void addRegion(const Region& region, const Premises& premises, const Machine& machine, Scene& scene)
 {
   const bool below = hangsBelowSliders(region, machine);
   region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, below, scene) : addRound(region, below, scene);
   const Eigen::Vector3d label = fromMessage(scene.array().markers.back().pose.position);
   const double outwards = label.z() < region.center.z ? -105.0 : 90.0;
   scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(),
-                   captionOf(region.hypotheses, "accuracy"));
+                   captionOf(premises, "accuracy", region.hypotheses.accuracy));
 }
 
 /// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
@@ -191,12 +191,12 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
 }
 }  // namespace
 
-visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& machine, const Paving* paving,
-                                          bool show_boundary)
+visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
+                                          const Paving* paving, bool show_boundary)
 {
   Scene scene(region.header, machine.scale() / 1000.0);
   if (region.size > 0.0)
-    addRegion(region, machine, scene);
+    addRegion(region, premises, machine, scene);
   if (paving)
     addPaving(paving->tree, "paving_inside", show_boundary ? "paving_boundary" : "", scene);
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
@@ -204,13 +204,15 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Machine& m
   return scene.array();
 }
 
-visualization_msgs::MarkerArray markersOf(const Paving& paving, const Machine& machine, const Workspace& workspace)
+visualization_msgs::MarkerArray markersOf(const Paving& paving, const Premises& premises, const Machine& machine,
+                                          const Workspace& workspace)
 {
   Scene scene(workspace.header, machine.scale() / 1000.0);
   addPaving(paving.tree, "inside", "boundary", scene);
   const Box& whole = paving.tree.bisection().root();
   const double above = whole.upper.z() + 100.0 * scene.unit();
-  scene.addCaption({ whole.center().x(), whole.center().y(), above }, captionOf(workspace.hypotheses, "resolution"));
+  scene.addCaption({ whole.center().x(), whole.center().y(), above },
+                   captionOf(premises, "resolution", workspace.hypotheses.accuracy));
   return scene.array();
 }
 

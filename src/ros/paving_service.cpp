@@ -84,6 +84,7 @@ void PavingService::show(const FramedMachine& in, Workspace workspace, const Pav
 {
   workspace.inside = workspace.boundary = BoxList();
   workspace_.publish(workspace);
-  markers_.publish(inRoot(markersOf(paving, *in.machine, workspace), in, context_.frames.root().frame));
+  const Premises premises = in.premises(paving.premises.criterion);
+  markers_.publish(inRoot(markersOf(paving, premises, *in.machine, workspace), in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

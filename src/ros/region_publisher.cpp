@@ -46,7 +46,8 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
   const Paving* paving = pavingFor(question, region, stop);
-  const auto shown = markersOf(region, *question.in.machine, paving, context_.parameters.show_boundary);
+  const Premises premises = question.in.premises(question.query.criterion);
+  const auto shown = markersOf(region, premises, *question.in.machine, paving, context_.parameters.show_boundary);
   markers_.publish(inRoot(shown, question.in, context_.frames.root().frame));
 }
 

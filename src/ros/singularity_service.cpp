@@ -64,7 +64,8 @@ SingularityFinding findingOf(const SingularityAnswer& answer)
 }
 
 /// A ball around each box, which is mostly too small to be seen.
-visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& found, const Machine& machine)
+visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& found, const Premises& premises,
+                                          const Machine& machine)
 {
   Scene scene(found.header, machine.scale() / 1000.0);
   const auto add = [&scene](const SingularityFinding& finding, const std::string& text) {
@@ -83,7 +84,7 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   for (const Marker& marker : scene.array().markers)
     highest.z() = std::max(highest.z(), marker.pose.position.z);
   scene.addCaption(highest + 90.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
-                   found.message + '\n' + captionOf(found.hypotheses, ""));
+                   found.message + '\n' + captionOf(premises, "", 0.0));
   return scene.array();
 }
 }  // namespace
@@ -144,7 +145,8 @@ void SingularityService::find(const FindSingularities::Request& request, FindSin
     return findSingularities(*question.in.machine, question.task);
   });
   response.header = headerOf(in, ros::Time::now());
-  response.hypotheses = toMessage(in.premises(task.criterion()), task.query.accuracy);
+  const Premises premises = in.premises(task.criterion());
+  response.hypotheses = toMessage(premises, task.query.accuracy);
   for (const SingularityAnswer& answer : report.found.serial)
     response.serial.push_back(findingOf(answer));
   response.parallel = findingOf(report.found.parallel);
@@ -152,6 +154,6 @@ void SingularityService::find(const FindSingularities::Request& request, FindSin
   response.message = report.message;
   ROS_INFO_STREAM_NAMED("server", response.message << " " << response.seconds << " s");
   context_.health.noteComputation({ asked, response.message, response.seconds, !report.isDecided() });
-  markers_.publish(inRoot(markersOf(response, *in.machine), in, context_.frames.root().frame));
+  markers_.publish(inRoot(markersOf(response, premises, *in.machine), in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

@@ -70,7 +70,7 @@ Markers ofType(const Markers& markers, int type)
 
 visualization_msgs::MarkerArray draw(const Region& region, const Paving* paving = nullptr, bool show_boundary = false)
 {
-  return markersOf(region, orthoglide(), paving, show_boundary);
+  return markersOf(region, premisesOf(orthoglide(), Criterion()), orthoglide(), paving, show_boundary);
 }
 }  // namespace
 
@@ -174,12 +174,9 @@ TEST(Markers, drawAPavingByItselfByVerdict)
   const Paving paving = smallPaving();
   Workspace workspace;
   workspace.header.frame_id = "base_link";
-  workspace.hypotheses.machine = "orthoglide";
-  workspace.hypotheses.set = Hypotheses::DEXTROUS;
-  workspace.hypotheses.aspect = Hypotheses::OWN;
-  workspace.hypotheses.psi_min = 0.5;
-  workspace.hypotheses.psi_max = 3.0;
-  const auto array = markersOf(paving, orthoglide(), workspace);
+  Criterion criterion;
+  criterion.psi_max = 3.0;
+  const auto array = markersOf(paving, premisesOf(orthoglide(), criterion), orthoglide(), workspace);
   EXPECT_EQ(Marker::DELETEALL, array.markers.front().action);
   EXPECT_EQ(2U, inNamespace(array, "inside").size());
   const auto boundary = inNamespace(array, "boundary");
@@ -219,7 +216,7 @@ TEST(Markers, drawAncestorsOfBoxesThatAreTooMany)
   ASSERT_GT(paving.tree.count(CellState::INSIDE) + paving.tree.count(CellState::BOUNDARY), 20000);
   std::size_t boxes = 0;
   double volume = 0.0;
-  for (const Marker& marker : markersOf(paving, orthoglide(), Workspace()).markers)
+  for (const Marker& marker : markersOf(paving, paving.premises, orthoglide(), Workspace()).markers)
   {
     boxes += marker.points.size();
     volume += static_cast<double>(marker.points.size()) * marker.scale.x * marker.scale.y * marker.scale.z;
@@ -272,7 +269,7 @@ TEST(Markers, nameTheRegionOnTheSideWhereNoStrutsAre)
   Region region = regionWithSides(0.5, 0.5, 0.5);
   region.joint_ranges.resize(3, region.joint_ranges[0]);
   const auto height = [&region](const Machine& machine) {
-    const auto array = markersOf(region, machine, nullptr, false);
+    const auto array = markersOf(region, premisesOf(machine, Criterion()), machine, nullptr, false);
     return ofType(inNamespace(array, "region"), Marker::TEXT_VIEW_FACING)[0].pose.position.z;
   };
   EXPECT_GT(height(orthoglide()), 0.25);
