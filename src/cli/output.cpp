@@ -142,7 +142,7 @@ void addLimits(const Machine& machine, const Criterion& criterion, const std::op
 
 bool isSolid(const Shape& shape)
 {
-  return (shape.halfExtents().array() > 0.0).all();
+  return (shape.halfExtents().at(1.0).array() > 0.0).all();
 }
 
 std::string name(Containment verdict)

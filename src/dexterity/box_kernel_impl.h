@@ -26,7 +26,6 @@ template <class Real>
 class PackKernel : public BoxKernel
 {
   static constexpr std::size_t W = Real::WIDTH;
-  using Point = std::array<Real, 3>;
 
 public:
   explicit PackKernel(const MachineModel<Real>& model)
@@ -61,8 +60,8 @@ public:
 
   void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
 
-  void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
-                      std::size_t count, NecessaryForms* results) const override
+  void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets, std::size_t count,
+                      NecessaryForms* results) const override
   {
     const WideRegisters<Real> wide;
     CenteredBox<Real> box;
@@ -74,19 +73,15 @@ public:
     box.slack = Real(centers.slack);
     for (std::size_t first = 0; first < count; first += W)
       FormCollector<Real>(per_length_, results + first, count - first)
-          .collect(model_, box.moved(Real(size), gather<Real>(offsets + first, count - first)));
+          .collect(model_, gatherMoved(box, Real(size), offsets + first, count - first));
   }
 
-  void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
-               double* results) const override
+  void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const override
   {
     const WideRegisters<Real> wide;
     for (std::size_t first = 0; first < count; first += W)
     {
-      Point p = gather<Real>(offsets + first, count - first);
-      for (std::size_t k = 0; k < 3; ++k)
-        p[k] = Real(center.data()[k]) + Real(size) * p[k];
-      const Real margin = model_.margin(p);
+      const Real margin = model_.margin(gather<Real>(points + first, count - first));
       for (std::size_t lane = 0; lane < W && first + lane < count; ++lane)
         results[first + lane] = margin[static_cast<int>(lane)];
     }

@@ -31,6 +31,22 @@ inline std::array<Real, 3> gather(const Eigen::Vector3d* vectors, std::size_t co
   return pointOf<Real>(coordinates);
 }
 
+/// A box, moved to several places side by side.
+template <class Real>
+inline CenteredBox<Real> gatherMoved(const CenteredBox<Real>& box, const Real& size, const GrowingVector* offsets,
+                                     std::size_t count)
+{
+  double fixed[3][Real::WIDTH], per_size[3][Real::WIDTH];
+  for (std::size_t lane = 0; lane < Real::WIDTH; ++lane)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const GrowingVector& offset = offsets[lane < count ? lane : count - 1];
+      fixed[k][lane] = offset.fixed.data()[k];
+      per_size[k][lane] = offset.per_size.data()[k];
+    }
+  return box.moved(size, pointOf<Real>(fixed), pointOf<Real>(per_size));
+}
+
 /// Boxes side by side.
 template <class Real>
 inline CenteredBox<Real> gather(const Box* boxes, std::size_t count)

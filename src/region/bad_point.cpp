@@ -15,15 +15,17 @@ constexpr int FAR_STEPS = 100;
 }  // namespace
 
 BadPointSearch::BadPointSearch(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
-  : test_(test), shape_(shape), center_(center), size_(size), step_(size * shape.halfExtents().maxCoeff())
+  : test_(test), shape_(shape), center_(center), size_(size), step_(shape.halfExtents().at(size).maxCoeff())
 {}
 
 Eigen::Vector3d BadPointSearch::gradientAt(const Eigen::Vector3d& point, double margin) const
 {
   const double difference = 1e-6 * step_;
-  const Eigen::Vector3d offsets[] = { Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ() };
+  Eigen::Vector3d beside[] = { point, point, point };
+  for (int axis = 0; axis < 3; ++axis)
+    beside[axis][axis] += difference;
   Eigen::Vector3d margins;
-  test_.kernel().margins(point, difference, offsets, 3, margins.data());
+  test_.kernel().margins(beside, 3, margins.data());
   return (margins.array() - margin) / difference;
 }
 
@@ -53,8 +55,8 @@ Eigen::Vector3d BadPointSearch::worstFromFar() const
 {
   std::vector<std::pair<double, Eigen::Vector3d>> points;
   const auto isWorse = [](const auto& a, const auto& b) { return a.first < b.first; };
-  for (const Eigen::Vector3d& extreme : shape_.extremePoints())
-    points.emplace_back(test_.margin(center_ + size_ * extreme), center_ + size_ * extreme);
+  for (const Eigen::Vector3d& extreme : pointsOf(shape_.extremePoints(), center_, size_))
+    points.emplace_back(test_.margin(extreme), extreme);
   std::sort(points.begin(), points.end(), isWorse);
   points.resize(std::min(points.size(), FAR_STARTS));
   for (auto& [margin, point] : points)

@@ -62,7 +62,7 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, travel_)
   , pool_(query.budget.threads)
   , scale_(machine.scale())
-  , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().maxCoeff()))
+  , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().per_size.maxCoeff()))
   , incumbent_(test_, query_, budget_, known, verification_boxes)
   , is_part_(verification_boxes > 0)
   , checkpoint_(query.budget.max_boxes > 0 && !is_part_ ? FIRST_CHECKPOINT : CHECKPOINT)

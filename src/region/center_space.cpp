@@ -34,30 +34,51 @@ Box centersAcrossRails(const Machine& machine, const RegionQuery& query)
   return intersection(boundsAcrossRails(machine, query.criterion, axis, level), *query.search_box);
 }
 
-/// Two points k and k' of K lie in an outer bound together only if size * |E (k - k')| <= 2 radius.
+/// No region is larger by what its points leave each other.
+class SizeBound
+{
+public:
+  double value() const { return value_; }
+  /// |fixed + size per_size| <= room, where these two have such magnitudes.
+  void take(const Interval& room, const Interval& fixed, const Interval& per_size)
+  {
+    if (per_size.lower() > 0.0)
+      value_ = std::min(value_, ((room + fixed) / per_size).upper());
+    else if (per_size.upper() == 0.0 && fixed.lower() > room.upper())
+      value_ = 0.0;
+  }
+
+private:
+  double value_ = INF;
+};
+
+/// Encloses |E v|.
+Interval lengthWithin(const OuterBound& outer, const IntervalVector& v)
+{
+  return v == IntervalVector() ? Interval(0.0) : norm(outer.projector * v);
+}
+
+/// Two points k and k' of a region lie in an outer bound together only if |E (k - k')| <= 2 radius.
 double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
 {
-  double bound = INF;
-  const auto take = [&bound](const Interval& room, const Interval& extent) {
-    if (extent.lower() > 0.0)
-      bound = std::min(bound, (room / extent).upper());
-  };
-  const std::vector<Eigen::Vector3d> points = query.shape->extremePoints();
+  SizeBound bound;
+  const std::vector<GrowingVector> points = query.shape->extremePoints();
   for (std::size_t first = 0; first < points.size(); ++first)
     for (std::size_t second = 0; second < first; ++second)
     {
-      const IntervalVector difference = enclose(points[first]) - enclose(points[second]);
+      const IntervalVector fixed = enclose(points[first].fixed) - enclose(points[second].fixed);
+      const IntervalVector per_size = enclose(points[first].per_size) - enclose(points[second].per_size);
       for (int i = 0; i < 3; ++i)
       {
         const OuterBound outer = outerBound(machine.enclosed(i), steepest(query.criterion));
-        take(Interval(2.0) * outer.radius, norm(outer.projector * difference));
+        bound.take(Interval(2.0) * outer.radius, lengthWithin(outer, fixed), lengthWithin(outer, per_size));
       }
       for (std::size_t k = 0; k < 3; ++k)
         if (std::isfinite(bounds.upper[static_cast<int>(k)] - bounds.lower[static_cast<int>(k)]))
-          take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),
-               abs(difference[k]));
+          bound.take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),
+                     abs(fixed[k]), abs(per_size[k]));
     }
-  return bound;
+  return bound.value();
 }
 }  // namespace
 

@@ -26,10 +26,10 @@ CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoi
 {
   if (test.spheres().empty())
     return;
-  const std::vector<Eigen::Vector3d> extremes = shape.extremePoints();
+  const std::vector<GrowingVector> extremes = shape.extremePoints();
   for (std::size_t k = 0; k < extremes.size(); ++k)
     for (std::size_t l = 0; l < k; ++l)
-      if (const auto middle = nearestInside(shape, 0.5 * (extremes[k] + extremes[l]), Eigen::Vector3d::Zero(), 1.0))
+      if (const auto middle = shape.placeOf((0.5 * (extremes[k] + extremes[l])).at(1.0), 1.0))
         between_.push_back(*middle);
 }
 
@@ -68,8 +68,8 @@ bool CenterTest::addNecessary(const NecessaryForms& necessary)
 /// Whether for every center of the box a point between two extreme points lies within the sphere and in its cone.
 bool CenterTest::reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const
 {
-  return std::any_of(between_.begin(), between_.end(), [&](const Eigen::Vector3d& point) {
-    const CenteredBox<double> there = box.moved(size, point);
+  return std::any_of(between_.begin(), between_.end(), [&](const GrowingVector& place) {
+    const CenteredBox<double> there = box.moved(size, place);
     return sphere.hasInCone(there) && sphere.excess(there).upper() < 0.0;
   });
 }
@@ -82,7 +82,7 @@ bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>&
   excesses_.clear();
   bool within = shape_.contains(sphere.center(), centers, size);
   bool beyond = false;
-  for (const Eigen::Vector3d& place : witnesses_.ofShape())
+  for (const GrowingVector& place : witnesses_.ofShape())
   {
     const CenteredBox<double> there = box.moved(size, place);
     if (!sphere.hasInCone(there))
@@ -161,7 +161,7 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size, con
   if (addKnown(centers, size))
     return Closing::BAD_POINT;
   const CenteredBox<double> box(centers);
-  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  const std::vector<GrowingVector>& places = witnesses_.ofShape();
   necessary_.resize(places.size());
   kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data());
   for (const NecessaryForms& necessary : necessary_)
@@ -186,9 +186,9 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size, con
 
 bool CenterTest::isPromising(const Eigen::Vector3d& center, double size)
 {
-  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  const std::vector<GrowingVector>& places = witnesses_.ofShape();
   margins_.resize(places.size());
-  test_.kernel().margins(center, size, places.data(), places.size(), margins_.data());
+  test_.kernel().margins(pointsOf(places, center, size).data(), places.size(), margins_.data());
   if (*std::min_element(margins_.begin(), margins_.end()) < 0.0)
     return false;
   const Eigen::Vector3d place = travel_ ? travel_->placeOf(center) : center;

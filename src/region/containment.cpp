@@ -156,12 +156,12 @@ private:
 
   bool refuteAtExtremes()
   {
-    std::vector<Eigen::Vector3d> extremes = shape_.extremePoints();
-    extremes.push_back(Eigen::Vector3d::Zero());
-    std::vector<double> margins(extremes.size());
-    test_.kernel().margins(center_, size_, extremes.data(), extremes.size(), margins.data());
+    std::vector<Eigen::Vector3d> points = pointsOf(shape_.extremePoints(), center_, size_);
+    points.push_back(center_);
+    std::vector<double> margins(points.size());
+    test_.kernel().margins(points.data(), points.size(), margins.data());
     const auto worst = std::min_element(margins.begin(), margins.end());
-    return refute(center_ + size_ * extremes[static_cast<std::size_t>(worst - margins.begin())], *worst);
+    return refute(points[static_cast<std::size_t>(worst - margins.begin())], *worst);
   }
 
   bool becomesLong() { return !is_long_ && !shape_.isBox() && (is_long_ = result_.boxes >= LONG_PROOF); }
@@ -171,9 +171,9 @@ private:
     bool is_refuted = false;
     for (const StrutSphere& sphere : test_.spheres())
       is_refuted = is_refuted || refuteNear(sphere.center());
-    for (const Eigen::Vector3d& extreme :
-         test_.spheres().empty() ? std::vector<Eigen::Vector3d>() : shape_.extremePoints())
-      is_refuted = is_refuted || refuteNear(center_ + size_ * extreme);
+    if (!test_.spheres().empty())
+      for (const Eigen::Vector3d& extreme : pointsOf(shape_.extremePoints(), center_, size_))
+        is_refuted = is_refuted || refuteNear(extreme);
     return is_refuted;
   }
 
@@ -206,7 +206,7 @@ private:
     for (std::size_t k = 0; k < undecided && !test_.spheres().empty(); ++k)
       if (refuteNear(centers[k]))
         return true;
-    test_.kernel().margins(Eigen::Vector3d::Zero(), 1.0, centers.data(), undecided, margins.data());
+    test_.kernel().margins(centers.data(), undecided, margins.data());
     const auto worst = std::min_element(margins.begin(), margins.begin() + static_cast<std::ptrdiff_t>(undecided));
     return refute(centers[static_cast<std::size_t>(worst - margins.begin())], *worst);
   }

@@ -27,18 +27,18 @@ struct Region
   Vector3d center;
   double size;
 
-  IntervalVector vertex(const Vector3d& k) const { return enclose(center) + Interval(size) * enclose(k); }
+  IntervalVector vertex(const GrowingVector& k) const { return enclose(center) + encloseAt(k, size); }
   Vector3d nearest(const Vector3d& point) const { return shape.nearest(point, center, size); }
-  /// Encloses a point of the region: given by its place in K, which rounds less than a point far from the origin.
+  /// Encloses a point of the region: given by its place in the family, which rounds less than a point far from the
+  /// origin.
   IntervalVector pointNear(const Vector3d& point) const
   {
-    const Vector3d origin = Vector3d::Zero();
-    return vertex(nearestInside(shape, (point - center) / size, origin, 1.0).value_or(origin));
+    return vertex(shape.placeOf(point - center, size).value_or(scaling(Vector3d::Zero())));
   }
   /// Encloses the least n . (p - c) over the region.
   Interval leastAlong(const IntervalVector& n, const IntervalVector& c) const
   {
-    return dot(n, enclose(center) - c) - Interval(size) * shape.support({ -n[0], -n[1], -n[2] });
+    return dot(n, enclose(center) - c) - shape.support({ -n[0], -n[1], -n[2] }).at(size);
   }
 };
 
@@ -187,7 +187,7 @@ Interval largestAtVertices(const Strut& strut, Function function, const Region& 
     return function == Function::SIGNED_JOINT ? strut.signedJoint(p) : -strut.height(p);
   };
   Interval most = at(enclose(region.center));
-  for (const Vector3d& k : region.shape.extremePoints())
+  for (const GrowingVector& k : region.shape.extremePoints())
     most = larger(most, at(region.vertex(k)));
   return most;
 }

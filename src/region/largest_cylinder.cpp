@@ -147,7 +147,8 @@ private:
   /// Takes the region if its volume is the largest so far.
   void keep(const LargestRegion& region, const ShapePtr& shape)
   {
-    if (volumeOverPi(shape->halfExtents().x(), region.size).lower() <= volumeOverPi(bestRatio(), best_.size).upper())
+    if (volumeOverPi(shape->halfExtents().per_size.x(), region.size).lower() <=
+        volumeOverPi(bestRatio(), best_.size).upper())
       return;
     best_ = region;
     best_.shape = shape;
@@ -169,7 +170,7 @@ private:
     return std::max(2.0 * SHARE * query_.accuracy, std::cbrt(volume / factor.upper()));
   }
 
-  double bestRatio() const { return best_.shape->halfExtents().x(); }
+  double bestRatio() const { return best_.shape->halfExtents().per_size.x(); }
 
   void narrow()
   {

@@ -40,7 +40,7 @@ void RegionQuery::validate(Problems& problems) const
 
 AccuracyRange accuracyRange(const Machine& machine, const Shape& shape)
 {
-  const double unit = machine.scale() / (2.0 * shape.halfExtents().maxCoeff());
+  const double unit = machine.scale() / (2.0 * shape.halfExtents().per_size.maxCoeff());
   return { FINEST_ACCURACY * unit, COARSEST_ACCURACY * unit };
 }
 
@@ -83,7 +83,7 @@ void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& pro
   query.shape = largest;
   if (ratio->lower < ratio->upper)
     query.ratio = ratio;
-  if (proportions && *proportions != 2.0 * largest->halfExtents())
+  if (proportions && *proportions != 2.0 * largest->halfExtents().per_size)
     throw std::invalid_argument("proportions are for the shape box only, the shape is cylinder");
 }
 

@@ -25,14 +25,14 @@ LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessP
   , centers_(centers)
   , travel_(travel)
   , scale_(std::sqrt(test.model().legs().squaredScale()))
-  , reach_(shape.halfExtents().maxCoeff())
+  , reach_(shape.halfExtents().per_size.maxCoeff())
 {}
 
 LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
 {
-  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
-  margins_.resize(places.size());
-  test_.kernel().margins(candidate.center, candidate.size, places.data(), places.size(), margins_.data());
+  const std::vector<Eigen::Vector3d> points = pointsOf(witnesses_.ofShape(), candidate.center, candidate.size);
+  margins_.resize(points.size());
+  test_.kernel().margins(points.data(), points.size(), margins_.data());
   double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
   for (const Eigen::Vector3d& point : witnesses_.bad())
     violation = std::max(violation, exitOf(candidate, point).depth);
@@ -54,9 +54,8 @@ double LocalSearch::excessOf(const Candidate& candidate) const
   double excess = 0.0;
   for (const StrutSphere& sphere : test_.spheres())
     if (reachesInto(sphere, candidate))
-      for (const Eigen::Vector3d& place : witnesses_.ofShape())
+      for (const Eigen::Vector3d& point : pointsOf(witnesses_.ofShape(), candidate.center, candidate.size))
       {
-        const Eigen::Vector3d point = candidate.center + candidate.size * place;
         const CenteredBox<double> there(Box{ point, point });
         if (sphere.hasInCone(there))
           excess = std::max(excess, sphere.radius() * sphere.excess(there).center);
@@ -71,7 +70,7 @@ void LocalSearch::addSpheres(const Candidate& from, double trust)
   box.half_widths.fill(DIFFERENCE * scale_);
   for (const StrutSphere& sphere : test_.spheres())
     if (reachesInto(sphere, from))
-      for (const Eigen::Vector3d& place : witnesses_.ofShape())
+      for (const GrowingVector& place : witnesses_.ofShape())
       {
         const CenteredBox<double> there = box.moved(from.size, place);
         if (sphere.hasInCone(there))
@@ -83,8 +82,8 @@ LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::V
 {
   const Eigen::Vector3d center = travel_ ? travel_->placeOf(candidate.center) : candidate.center;
   const Eigen::Vector3d normal = shape_.exit(point, center, candidate.size);
-  const double support = shape_.support(normal);
-  return { normal, support, candidate.size * support - normal.dot(point - center) };
+  const Growing<double> support = shape_.support(normal);
+  return { normal, support.per_size, support.at(candidate.size) - normal.dot(point - center) };
 }
 
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
@@ -109,9 +108,9 @@ double LocalSearch::merit(const Step& step) const
   return reach_ * step.candidate.size - PENALTY * step.violation;
 }
 
-/// Appends form(p) >= 0 around p = center + size * witness, in steps of the trust region. Lengths of the form's
+/// Appends form(p) >= 0 around the place p of the witness, in steps of the trust region. Lengths of the form's
 /// gradient are those of the small box that it was evaluated on.
-void LocalSearch::addRow(const AffineForm<double>& form, double trust, const Eigen::Vector3d& witness)
+void LocalSearch::addRow(const AffineForm<double>& form, double trust, const GrowingVector& witness)
 {
   const double unit = trust / DIFFERENCE;
   LinearProgramme<5>::Row row{ scale_ * form.center, {} };
@@ -119,7 +118,7 @@ void LocalSearch::addRow(const AffineForm<double>& form, double trust, const Eig
   {
     const double slope = form.gradient[j] * unit;
     row.slope[j] = slope;
-    row.slope[3] += slope * witness[static_cast<int>(j)] / reach_;
+    row.slope[3] += slope * witness.per_size[static_cast<int>(j)] / reach_;
   }
   row.offset += 0.5 * slack_;  // the unknown violation runs from 0 to slack_
   row.slope[4] = 0.5 * slack_;
@@ -129,7 +128,7 @@ void LocalSearch::addRow(const AffineForm<double>& form, double trust, const Eig
 
 void LocalSearch::linearize(const Candidate& from, double trust)
 {
-  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  const std::vector<GrowingVector>& places = witnesses_.ofShape();
   CenteredBox<double> box(Box{ from.center, from.center });
   box.half_widths.fill(DIFFERENCE * scale_);
   necessary_.resize(places.size());
@@ -144,7 +143,7 @@ void LocalSearch::linearize(const Candidate& from, double trust)
 /// Adds a row for every matrix that is not semidefinite at the programme's optimum.
 bool LocalSearch::addCuts(double trust)
 {
-  const std::vector<Eigen::Vector3d>& places = witnesses_.ofShape();
+  const std::vector<GrowingVector>& places = witnesses_.ofShape();
   const auto& x = programme_.point();
   const double unit = trust / (DIFFERENCE * scale_);
   bool added = false;
@@ -153,7 +152,7 @@ bool LocalSearch::addCuts(double trust)
     {
       std::array<double, 3> delta;
       for (std::size_t j = 0; j < 3; ++j)
-        delta[j] = unit * (x[j] + x[3] * places[k][static_cast<int>(j)] / reach_);
+        delta[j] = unit * (x[j] + x[3] * places[k].per_size[static_cast<int>(j)] / reach_);
       const SymmetricForms<double>& matrix = necessary_[k].matrix[m];
       if (isAbove(matrix, delta, -1e-3 * trust / scale_))
         continue;

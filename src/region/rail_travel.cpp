@@ -91,8 +91,11 @@ Interval RailTravel::travelOver(const Box& places) const
 bool RailTravel::alwaysLeavesTravel(double size_bound) const
 {
   const IntervalVector& e = directionOfRails(machine_);
-  const Interval extent = shape_->support(e) + shape_->support({ -e[0], -e[1], -e[2] });
-  const Interval apart = extent == Interval(0.0) ? extent : extent * Interval(0.0, std::max(0.0, size_bound));
+  const Growing<Interval> first = shape_->support({ -e[0], -e[1], -e[2] });
+  const Growing<Interval> last = shape_->support(e);
+  const Interval extent = first.per_size + last.per_size;
+  const Interval growth = extent == Interval(0.0) ? extent : extent * Interval(0.0, std::max(0.0, size_bound));
+  const Interval apart = first.fixed + last.fixed + growth;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
     {
@@ -116,7 +119,7 @@ Box RailTravel::centers() const
   return search_box_ ? intersection(box, *search_box_) : box;
 }
 
-void RailTravel::addForms(const Box& places, double size, const std::vector<Vector3d>& points,
+void RailTravel::addForms(const Box& places, double size, const std::vector<GrowingVector>& points,
                           std::vector<AffineForm<double>>& forms) const
 {
   if (!binds_)
@@ -124,7 +127,7 @@ void RailTravel::addForms(const Box& places, double size, const std::vector<Vect
   addSearchBox(places, forms);
   const CenteredBox<double> box(places);
   const JointLimits<double>& limits = model_.condition<JointLimits>();
-  for (const Vector3d& k : points)
+  for (const GrowingVector& k : points)
   {
     const CenteredBox<double> moved = box.moved(size, k);
     const MachineForms<double> machine = model_.legs().evaluate(moved);
@@ -164,7 +167,8 @@ Vector3d RailTravel::placeOf(const Vector3d& point) const
   return place;
 }
 
-RailTravel::Travel RailTravel::travelAt(const Vector3d& place, double size, const std::vector<Vector3d>& points) const
+RailTravel::Travel RailTravel::travelAt(const Vector3d& place, double size,
+                                        const std::vector<GrowingVector>& points) const
 {
   Travel travel{ -INF, INF };
   const auto leave = [&travel](double lower, double upper) {
@@ -180,8 +184,8 @@ RailTravel::Travel RailTravel::travelAt(const Vector3d& place, double size, cons
     }
   };
   ask(place);
-  for (const Vector3d& k : points)
-    ask(place + size * k);
+  for (const GrowingVector& k : points)
+    ask(place + k.at(size));
   for (int j = 0; search_box_ && j < 3; ++j)
     if (direction_[j] != 0.0)
     {
@@ -192,13 +196,13 @@ RailTravel::Travel RailTravel::travelAt(const Vector3d& place, double size, cons
   return travel;
 }
 
-bool RailTravel::leavesCenter(const Vector3d& place, double size, const std::vector<Vector3d>& points) const
+bool RailTravel::leavesCenter(const Vector3d& place, double size, const std::vector<GrowingVector>& points) const
 {
   const Travel travel = travelAt(place, size, points);
   return travel.lower <= travel.upper;
 }
 
-Vector3d RailTravel::centerAt(const Vector3d& place, double size, const std::vector<Vector3d>& points) const
+Vector3d RailTravel::centerAt(const Vector3d& place, double size, const std::vector<GrowingVector>& points) const
 {
   const Travel travel = travelAt(place, size, points);
   const double strut = machine_.scale();

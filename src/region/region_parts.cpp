@@ -30,15 +30,22 @@ BoxVerdict partOf(const Shape& shape, const Vector3d& center, double size, const
                                                   : BoxVerdict::UNDECIDED;
 }
 
+/// What it measures along the axes.
+IntervalVector sidesOf(const Shape& shape, double size)
+{
+  return encloseAt(2.0 * shape.halfExtents(), size);
+}
+
 /// How much larger the bounding box of a box is than itself, relative to it: rounding only.
 Interval overhang(const Shape& shape, const Box& bounds, double size)
 {
   Interval sum;
-  for (int axis = 0; axis < 3; ++axis)
+  for (const std::size_t axis : { 0, 1, 2 })
   {
-    const Interval side = Interval(2.0 * shape.halfExtents()[axis]) * Interval(size);
+    const Interval side = sidesOf(shape, size)[axis];
+    const int k = static_cast<int>(axis);
     if (side.lower() > 0.0)
-      sum += ((Interval(bounds.upper[axis]) - Interval(bounds.lower[axis])) - side) / side;
+      sum += ((Interval(bounds.upper[k]) - Interval(bounds.lower[k])) - side) / side;
   }
   return sum;
 }
@@ -46,9 +53,9 @@ Interval overhang(const Shape& shape, const Box& bounds, double size)
 Interval measureOf(const Shape& shape, double size)
 {
   Interval measure(1.0);
-  for (int axis = 0; axis < 3; ++axis)
-    if (shape.halfExtents()[axis] > 0.0)
-      measure *= Interval(2.0 * shape.halfExtents()[axis]) * Interval(size);
+  for (const Interval& side : sidesOf(shape, size))
+    if (side.upper() > 0.0)
+      measure *= side;
   return measure;
 }
 }  // namespace

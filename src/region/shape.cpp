@@ -58,7 +58,7 @@ ShapePtr makeShape(const std::string& name, const Proportions& proportions)
   if (named == std::end(SHAPES))
     throw std::invalid_argument("shape = '" + name + "' must be " + listOfNames());
   ShapePtr shape = named->make(proportions);
-  if (proportions && *proportions != 2.0 * shape->halfExtents())  // those that it has anyway are let pass
+  if (proportions && *proportions != 2.0 * shape->halfExtents().per_size)  // those that it has anyway are let pass
   {
     const Eigen::IOFormat tuple(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     TextStream text;
@@ -80,13 +80,15 @@ std::optional<Interval> Shape::ballRadius(double) const
 
 Box Shape::boundingBox(const Eigen::Vector3d& center, double size) const
 {
-  IntervalVector sides;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Interval reach = Interval(size) * Interval(halfExtents()[axis]);
-    sides[static_cast<std::size_t>(axis)] = hull(Interval(center[axis]) - reach, Interval(center[axis]) + reach);
-  }
-  return pkm_workspace::boundingBox(sides);
+  const IntervalVector first = enclose(center) + encloseAt(lower(), size);
+  const IntervalVector last = enclose(center) + encloseAt(upper(), size);
+  return pkm_workspace::boundingBox({ hull(first[0], last[0]), hull(first[1], last[1]), hull(first[2], last[2]) });
+}
+
+std::optional<GrowingVector> Shape::placeOf(const Eigen::Vector3d& offset, double size) const
+{
+  const auto place = nearestInside(*this, offset / size, Eigen::Vector3d::Zero(), 1.0);
+  return place ? std::make_optional(scaling(*place)) : std::nullopt;
 }
 
 std::optional<Eigen::Vector3d> nearestInside(const Shape& shape, const Eigen::Vector3d& point,

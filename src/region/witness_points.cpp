@@ -8,7 +8,7 @@ namespace
 /// Kept at the most; the oldest ones make room.
 constexpr std::size_t MAX_LEARNT = 16;
 constexpr std::size_t MAX_BAD = 64;
-/// Learnt places closer than this, relative to K, are one.
+/// Learnt places closer than this, relative to the region, are one.
 constexpr double LEAST_DISTANCE = 0.05;
 }  // namespace
 
@@ -32,13 +32,13 @@ void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eige
 
 void WitnessPoints::learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& point)
 {
-  const auto place = nearestInside(shape_, (point - center) / size, Eigen::Vector3d::Zero(), 1.0);
+  const auto place = shape_.placeOf(point - center, size);
   if (!place)
     return;
-  const Eigen::Vector3d& k = *place;
-  const double least = LEAST_DISTANCE * shape_.halfExtents().maxCoeff();
+  const GrowingVector& k = *place;
+  const double least = LEAST_DISTANCE * shape_.halfExtents().at(size).maxCoeff();
   for (std::size_t known = extremes_; known < of_shape_.size(); ++known)
-    if ((of_shape_[known] - k).cwiseAbs().maxCoeff() < least)
+    if ((of_shape_[known] - k).at(size).cwiseAbs().maxCoeff() < least)
     {
       of_shape_[known] = k;
       return;

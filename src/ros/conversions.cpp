@@ -56,7 +56,7 @@ const Eigen::IOFormat POINT_TEXT(Eigen::StreamPrecision, Eigen::DontAlignCols, "
 /// What K measures along the axes.
 Eigen::Vector3d proportionsOf(const Shape& shape)
 {
-  return 2.0 * shape.halfExtents();
+  return 2.0 * shape.halfExtents().per_size;
 }
 
 /// Sets the shape unless the request leaves it as it is.

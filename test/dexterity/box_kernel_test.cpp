@@ -76,12 +76,13 @@ std::vector<Box> randomBoxes(const Machine& machine, RandomBoxes& random)
   return boxes;
 }
 
-std::vector<Eigen::Vector3d> randomOffsets(RandomBoxes& random)
+/// Every other one has a part that does not grow with the size.
+std::vector<GrowingVector> randomOffsets(RandomBoxes& random)
 {
   const Box cube{ Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0) };
-  std::vector<Eigen::Vector3d> offsets(1, Eigen::Vector3d::Zero());
+  std::vector<GrowingVector> offsets(1, scaling(Eigen::Vector3d::Zero()));
   while (offsets.size() < MOST)
-    offsets.push_back(random.pointIn(cube));
+    offsets.push_back({ (offsets.size() % 2) * 0.2 * random.pointIn(cube), random.pointIn(cube) });
   return offsets;
 }
 
@@ -156,17 +157,17 @@ private:
 
   Delta anyDelta() { return { random_.between(-1.0, 1.0), random_.between(-1.0, 1.0), random_.between(-1.0, 1.0) }; }
 
-  bool isGood(const Eigen::Vector3d& offset, const Delta& delta) const
+  bool isGood(const GrowingVector& offset, const Delta& delta) const
   {
     Oracle::Vector point;
     for (std::size_t k = 0; k < 3; ++k)
-      point[k] =
-          centers_.center[k] + Number(centers_.half_widths[k]) * delta[k] + Number(size_) * offset[static_cast<int>(k)];
+      point[k] = centers_.center[k] + Number(centers_.half_widths[k]) * delta[k] + offset.fixed.data()[k] +
+                 Number(size_) * offset.per_size.data()[k];
     return oracle_.isGood(point);
   }
 
   /// Tries two points; if only one of them is good, it is first moved next to the border.
-  void tryOneMove(const Eigen::Vector3d& offset, const NecessaryForms& forms)
+  void tryOneMove(const GrowingVector& offset, const NecessaryForms& forms)
   {
     Delta a = anyDelta(), b = anyDelta();
     const bool is_a_good = isGood(offset, a), is_b_good = isGood(offset, b);
@@ -262,16 +263,16 @@ TEST(BoxKernels, marginsAreThoseOfTheModel)
     {
       const Eigen::Vector3d center = k == 0 ? question.machine.zero() : random.pointIn(spaceOf(question.machine));
       const double size = k == 0 ? 0.0 : random.between(0.0, question.machine.scale());
-      const auto offsets = randomOffsets(random);
+      const std::vector<Eigen::Vector3d> points = pointsOf(randomOffsets(random), center, size);
       const auto compute = [&](const BoxKernel& kernel, std::size_t first, std::size_t count, double* results) {
-        kernel.margins(center, size, &offsets[first], count, results);
+        kernel.margins(&points[first], count, results);
       };
       expectSameInEveryBatch(kernels, 77.0, compute, [](double a, double b) { ASSERT_TRUE(sameBits(a, b)); });
       double margins[MOST];
-      kernels.back()->margins(center, size, offsets.data(), MOST, margins);
+      kernels.back()->margins(points.data(), MOST, margins);
       for (std::size_t i = 0; i < MOST; ++i)
       {
-        const Eigen::Vector3d p = center + size * offsets[i];
+        const Eigen::Vector3d& p = points[i];
         ASSERT_TRUE(sameBits(margins[i], model.margin({ p.x(), p.y(), p.z() }))) << p.transpose();
         ASSERT_TRUE(std::isfinite(margins[i])) << p.transpose();
       }

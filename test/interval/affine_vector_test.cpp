@@ -187,7 +187,10 @@ TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
   forEachCase([this](Forms& forms) {
     const Box box = randomBox(forms);
     const double size = std::abs(forms.number());
-    const Eigen::Vector3d offset(forms.random().uniform(-1.0, 1.0), forms.random().sign(), 0.0);
+    const Eigen::Vector3d per_size(forms.random().uniform(-1.0, 1.0), forms.random().sign(), 0.0);
+    GrowingVector offset = scaling(per_size);
+    if (forms.random().once(2))
+      offset.fixed = { std::abs(forms.number()) * forms.random().uniform(-1.0, 1.0), 0.0, forms.number() };
     const auto start = evaluate<CenteredBox<double>>([&] { return CenteredBox<double>(box); });
     CenteredBox<double> moved = start;
     for (int steps = 1; steps <= 16; ++steps)
@@ -195,11 +198,26 @@ TEST_P(AffineVectorContainment, movedBoxHoldsEveryMovedPoint)
       moved = evaluate<CenteredBox<double>>([&] { return moved.moved(size, offset); });
       for (std::size_t k = 0; k < 3; ++k)
       {
-        const Exact way = Exact(steps) * size * offset[static_cast<int>(k)];
+        const int axis = static_cast<int>(k);
+        const Exact way = Exact(steps) * (Exact(offset.fixed[axis]) + Exact(size) * offset.per_size[axis]);
         ASSERT_TRUE((Exact(start.center[k]) + way - moved.center[k]).mayLieIn(-moved.slack, moved.slack)) << steps;
       }
     }
     ASSERT_EQ(moved.half_widths, start.half_widths);
+  });
+}
+
+TEST_P(AffineVectorContainment, movedBoxHoldsWhatIsLeftOfTwoMovesThatCancel)
+{
+  forEachCase([this](Forms& forms) {
+    const double size = forms.random().uniform(0.1, 1.0);
+    const double per_size = forms.random().uniform(0.1, 1.0);
+    const auto moved = evaluate<CenteredBox<double>>([&] {
+      const GrowingVector offset{ { -size * per_size, 0.0, 0.0 }, { per_size, 0.0, 0.0 } };
+      return CenteredBox<double>(Box()).moved(size, offset);
+    });
+    const double fixed = evaluate<double>([&] { return -size * per_size; });
+    ASSERT_TRUE((Exact(fixed) + Exact(size) * per_size - moved.center[0]).mayLieIn(-moved.slack, moved.slack));
   });
 }
 

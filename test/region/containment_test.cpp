@@ -140,11 +140,11 @@ TEST(Shape, boundsEncloseAndContentsAreExact)
     const Eigen::Vector3d center = random.pointIn(space);
     const double size = random.between(0.1, 2.0);
     const Box bounds = shape->boundingBox(center, size);
-    for (const Eigen::Vector3d& corner : shape->extremePoints())
+    for (const GrowingVector& corner : shape->extremePoints())
       for (int axis = 0; axis < 3; ++axis)
       {
         using boost::multiprecision::cpp_bin_float_100;
-        const cpp_bin_float_100 exact = cpp_bin_float_100(size) * corner[axis] + center[axis];
+        const cpp_bin_float_100 exact = cpp_bin_float_100(size) * corner.per_size[axis] + center[axis];
         EXPECT_TRUE(bounds.lower[axis] <= exact && exact <= bounds.upper[axis]) << "seed " << SEED << ", case " << k;
       }
     EXPECT_TRUE(shape->contains(center, Box{ center, center }, size));

@@ -56,9 +56,9 @@ Found search(const Machine& machine, int leg, const Shape& shape, const Eigen::V
       at = there < value ? point : at;
       value = there < value ? there : value;
     };
-    for (const Eigen::Vector3d& k : shape.extremePoints())
-      attempt(inside(center + size * k));
-    const Eigen::Vector3d reach = size * shape.halfExtents();
+    for (const Eigen::Vector3d& point : pointsOf(shape.extremePoints(), center, size))
+      attempt(inside(point));
+    const Eigen::Vector3d reach = shape.halfExtents().at(size);
     for (double step = 1.0; step > 1e-11; step *= 0.8)
       for (int k = 0; k < test::cases(40); ++k)
         attempt(inside(at + step * random.pointIn(Box{ -reach, reach })));
@@ -84,7 +84,7 @@ void expectTight(const Machine& machine, const Shape& shape, double size, double
     EXPECT_LE(range.upper.width(), rounding) << message();
     EXPECT_LE(range.across.width(), 2 * rounding) << message();
     EXPECT_TRUE(range.lower.lower() <= found.least && found.largest <= range.upper.upper()) << message();
-    const double searched = 1e-5 * size * shape.halfExtents().maxCoeff();
+    const double searched = 1e-5 * shape.halfExtents().at(size).maxCoeff();
     EXPECT_TRUE(found.least <= range.lower.upper() + searched) << message();
     EXPECT_TRUE(found.largest >= range.upper.lower() - searched) << message();
   }

@@ -45,18 +45,18 @@ private:
   Oracle oracle_;
 };
 
-/// A point of c + h K, on its surface more often than not.
+/// A point of c + K(h), on its surface more often than not.
 Vector3d pointOf(const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
 {
   const Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
   return nearestInside(shape, far, center, size).value_or(center);
 }
 
-/// Whether a bad point of c + h K is found: the extreme points first, others afterwards.
+/// Whether a bad point of c + K(h) is found: the extreme points first, others afterwards.
 bool hasBadPoint(const Judge& judge, const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
 {
-  for (const Vector3d& k : shape.extremePoints())
-    if (!judge.isGood(center + size * k))
+  for (const Vector3d& point : pointsOf(shape.extremePoints(), center, size))
+    if (!judge.isGood(point))
       return true;
   for (int k = 0; k < 20000; ++k)
     if (!judge.isGood(pointOf(shape, center, size, random)))

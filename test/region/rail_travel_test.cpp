@@ -37,8 +37,8 @@ Vector3d extremePointOf(const Shape& shape, const Vector3d& center, double size,
 
 bool hasBadPoint(const Oracle& oracle, const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
 {
-  for (const Vector3d& k : shape.extremePoints())
-    if (!oracle.isGood(Vector3d(center + size * k)))
+  for (const Vector3d& point : pointsOf(shape.extremePoints(), center, size))
+    if (!oracle.isGood(point))
       return true;
   for (int k = 0; k < 3000; ++k)
     if (!oracle.isGood(extremePointOf(shape, center, size, random)))

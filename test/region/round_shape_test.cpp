@@ -23,7 +23,7 @@ std::vector<ShapePtr> roundShapes()
   return { makeSphere(), makeDisc(), makeCylinder(0.5), makeCylinder(3.0) };
 }
 
-/// A point near the surface of c + h K more often than not.
+/// A point near the surface of c + K(h) more often than not.
 Eigen::Vector3d pointOfRound(const Shape& shape, const Eigen::Vector3d& center, double size, test::RandomBoxes& random)
 {
   const Eigen::Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
@@ -133,7 +133,7 @@ TEST(RoundShapes, halfSpacesAndBoundsHoldEveryPoint)
       EXPECT_TRUE(along <= half.offset) << shape->name() << ", seed " << SEED << ", case " << k;
       EXPECT_TRUE(shape->boundingBox(center, size).contains(point));
       EXPECT_FALSE(shape->misses(Box{ point, point }, center, size));
-      EXPECT_GE(shape->support(enclose(half.normal)).upper(), half.normal.dot(point - center) / size - 1e-12);
+      EXPECT_GE(shape->support(enclose(half.normal)).at(size).upper(), half.normal.dot(point - center) - 1e-12);
     }
 }
 
@@ -142,8 +142,8 @@ TEST(RoundShapes, pointsOfASphereAreWithinItsRadiusExactly)
   test::RandomBoxes random(SEED);
   const Box space{ Eigen::Vector3d::Constant(-2.0), Eigen::Vector3d::Constant(2.0) };
   const ShapePtr sphere = makeSphere();
-  for (const Eigen::Vector3d& k : sphere->extremePoints())
-    EXPECT_TRUE(isInRegion(k, Eigen::Vector3d::Zero(), 1.0)) << k.transpose();
+  for (const GrowingVector& k : sphere->extremePoints())
+    EXPECT_TRUE(isInRegion(k.per_size, Eigen::Vector3d::Zero(), 1.0)) << k.per_size.transpose();
   for (int k = 0; k < test::cases(1000); ++k)
   {
     const Eigen::Vector3d point = random.pointIn(space);
@@ -195,7 +195,7 @@ TEST(RoundShapes, aFreeRatioFindsTheCylinderOfTheLargestVolume)
   query.accuracy = 1e-2;
   const LargestRegion best = findLargestRegion(orthoglide(), query);
   ASSERT_EQ(best.status, LargestRegion::Status::PROVEN) << best.message;
-  const double ratio = best.shape->halfExtents().x();
+  const double ratio = best.shape->halfExtents().per_size.x();
   EXPECT_GE(ratio, 0.5);
   EXPECT_LE(ratio, 0.8);
   EXPECT_EQ(checkContainment(BoxTest(orthoglide(), query.criterion), *best.shape, best.center, best.size).verdict,

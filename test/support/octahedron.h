@@ -17,14 +17,15 @@ class Octahedron : public Shape
 public:
   std::string name() const override { return "octahedron"; }
   std::string sizeMeaning() const override { return "distance of opposite vertices [m]"; }
-  Eigen::Vector3d halfExtents() const override { return Eigen::Vector3d::Constant(0.5); }
+  GrowingVector lower() const override { return scaling(Eigen::Vector3d::Constant(-0.5)); }
+  GrowingVector upper() const override { return scaling(Eigen::Vector3d::Constant(0.5)); }
 
-  std::vector<Eigen::Vector3d> extremePoints() const override
+  std::vector<GrowingVector> extremePoints() const override
   {
-    std::vector<Eigen::Vector3d> vertices;
+    std::vector<GrowingVector> vertices;
     for (int axis = 0; axis < 3; ++axis)
       for (const double half : { -0.5, 0.5 })
-        vertices.push_back(half * Eigen::Vector3d::Unit(axis));
+        vertices.push_back(scaling(half * Eigen::Vector3d::Unit(axis)));
     return vertices;
   }
 
@@ -52,13 +53,13 @@ public:
     return std::nullopt;
   }
 
-  Interval support(const IntervalVector& n) const override
+  Growing<Interval> support(const IntervalVector& n) const override
   {
     const Interval a[] = { abs(n[0]), abs(n[1]), abs(n[2]) };
-    return Interval(0.5) * Interval(std::max({ a[0].lower(), a[1].lower(), a[2].lower() }),
-                                    std::max({ a[0].upper(), a[1].upper(), a[2].upper() }));
+    return { 0.0, Interval(0.5) * Interval(std::max({ a[0].lower(), a[1].lower(), a[2].lower() }),
+                                           std::max({ a[0].upper(), a[1].upper(), a[2].upper() })) };
   }
-  double support(const Eigen::Vector3d& n) const override { return 0.5 * n.cwiseAbs().maxCoeff(); }
+  Growing<double> support(const Eigen::Vector3d& n) const override { return { 0.0, 0.5 * n.cwiseAbs().maxCoeff() }; }
 
   Eigen::Vector3d exit(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double) const override
   {

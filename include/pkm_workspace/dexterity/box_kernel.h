@@ -53,12 +53,11 @@ public:
   /// @param motions one for each piece, or nullptr; all numbers where a strut is not proved to reach, with the margin
   /// that psi_max asks for
   virtual void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
-  /// The necessary forms at the centers' box, moved by size * offset for each offset.
-  virtual void necessaryForms(const CenteredBox<double>& centers, double size, const Eigen::Vector3d* offsets,
+  /// The necessary forms at the centers' box, moved by offset.at(size) for each offset.
+  virtual void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets,
                               std::size_t count, NecessaryForms* results) const = 0;
-  /// MachineModel::margin at center + size * offset for each offset.
-  virtual void margins(const Eigen::Vector3d& center, double size, const Eigen::Vector3d* offsets, std::size_t count,
-                       double* results) const = 0;
+  /// MachineModel::margin at each of the points [m].
+  virtual void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const = 0;
 };
 
 /// The kernel in multi-precision, one box at a time and some thousand times slower: for what doubles cannot settle. Its

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/interval/affine_form.h"
 #include "pkm_workspace/interval/box.h"
+#include "pkm_workspace/interval/growing.h"
 
 namespace pkm_workspace
 {
@@ -36,21 +37,26 @@ struct CenteredBox
                   std::array<Real, 3>{ box.upper[0], box.upper[1], box.upper[2] })
   {}
 
-  /// The box moved by size * offset; delta keeps its meaning, so that forms over both can be combined.
-  CenteredBox moved(double size, const Eigen::Vector3d& offset) const
+  /// The box moved by offset.at(size); delta keeps its meaning, so that forms over both can be combined.
+  CenteredBox moved(double size, const GrowingVector& offset) const
   {
-    return moved(Real(size), std::array<Real, 3>{ Real(offset[0]), Real(offset[1]), Real(offset[2]) });
+    const auto numbers = [](const Eigen::Vector3d& v) {
+      return std::array<Real, 3>{ Real(v[0]), Real(v[1]), Real(v[2]) };
+    };
+    return moved(Real(size), numbers(offset.fixed), numbers(offset.per_size));
   }
-  CenteredBox moved(const Real& size, const std::array<Real, 3>& offset) const
+  /// Three roundings: with step = fixed + size * per_size they are within a roundoff times |size * per_size| <=
+  /// |fixed| + |step|, |step| and |center + step|.
+  CenteredBox moved(const Real& size, const std::array<Real, 3>& fixed, const std::array<Real, 3>& per_size) const
   {
     using std::abs;
     CenteredBox result(*this);
     Real magnitude = slack;
     for (std::size_t j = 0; j < 3; ++j)
     {
-      const Real step = size * offset[j];
+      const Real step = fixed[j] + size * per_size[j];
       result.center[j] = center[j] + step;
-      magnitude = magnitude + abs(center[j]) + abs(step);
+      magnitude = magnitude + abs(center[j]) + abs(step) + abs(fixed[j]);
     }
     result.slack = (slack + Real(4) * rounding::roundoff<Real>() * magnitude + rounding::underflow<Real>()) *
                    (Real(1) + Real(8) * rounding::roundoff<Real>());

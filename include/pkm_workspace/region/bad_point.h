@@ -9,7 +9,7 @@
 
 namespace pkm_workspace
 {
-/// Local search for a point of c + h K at which the criterion fails.
+/// Local search for a point of c + K(h) at which the criterion fails.
 class BadPointSearch
 {
 public:

@@ -61,7 +61,7 @@ private:
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
   std::vector<AffineForm<double>> travel_forms_;
-  std::vector<Eigen::Vector3d> between_;      ///< points of K, exactly, between its extreme points
+  std::vector<GrowingVector> between_;        ///< points of the family, exactly, between its extreme points
   std::vector<AffineForm<double>> excesses_;  ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
   LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM

@@ -29,7 +29,7 @@ struct ContainmentResult
   double seconds = 0.0;
 };
 
-/// Whether c + h K satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.
+/// Whether c + K(h) satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.
 /// @param budget when it is over, the proof ends: UNDECIDED
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
                                    const Budget& budget);

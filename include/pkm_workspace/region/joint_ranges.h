@@ -17,10 +17,11 @@ struct JointRange
   Interval across;  ///< of Delta f: the range of eta_i, the part of the stroke that serves motion across the rail
 };
 
-/// Encloses the joint ranges over c + h K: to a few roundings over polytopes and balls, to those and 1e-12 h over discs
-/// and cylinders. s rho is a convex function of the tool point. It is largest at a vertex of a polytope, over a ball by
-/// a closed form, and otherwise on a circle, which is bisected; its least value is where the region comes within the
-/// strut's length of the slider first. Some hundreds of looks at the most, where a strut just reaches some thousands.
+/// Encloses the joint ranges over c + K(h): to a few roundings over polytopes and balls, to those and 1e-12 h over
+/// discs and cylinders. s rho is a convex function of the tool point. It is largest at a vertex of a polytope, over a
+/// ball by a closed form, and otherwise on a circle, which is bisected; its least value is where the region comes
+/// within the strut's length of the slider first. Some hundreds of looks at the most, where a strut just reaches some
+/// thousands.
 /// @pre the struts reach all of the region; where one only just does, its eta is enclosed to the root of a rounding
 /// @throws std::domain_error when a strut is seen not to reach part of it
 std::array<JointRange, 3> jointRanges(const Machine& machine, const Shape& shape, const Eigen::Vector3d& center,

@@ -105,7 +105,7 @@ struct LargestRegion
 /// @param finer whether a finer precision may settle more
 void conclude(LargestRegion& region, double accuracy, const std::string& ended_by, bool finer);
 
-/// Finds the largest region c + h K of the criterion's set with a certified size and a certified upper bound
+/// Finds the largest region c + K(h) of the criterion's set with a certified size and a certified upper bound
 /// (paper, section 2.4; docs/theory.md). The search is over all centers of the workspace in the machine's aspect, or
 /// over the search box. Where all rails are parallel, the coordinate of the center along which the rails run most is
 /// the one of the zero configuration, or the middle of the search box; as near to it as joint limits leave it.

@@ -11,7 +11,7 @@
 
 namespace pkm_workspace
 {
-/// A region c + h K, by its numbers.
+/// A region c + K(h), by its numbers.
 struct Candidate
 {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -43,8 +43,8 @@ private:
   struct Exit
   {
     Eigen::Vector3d normal;
-    double support;
-    double depth;  ///< how far inside the point is [m]
+    double support;  ///< how the normal's support grows with the size
+    double depth;    ///< how far inside the point is [m]
   };
 
   Step assess(const Candidate& candidate);
@@ -55,7 +55,7 @@ private:
   double merit(const Step& step) const;
   Candidate propose(const Step& step, double trust);
   void linearize(const Candidate& from, double trust);
-  void addRow(const AffineForm<double>& form, double trust, const Eigen::Vector3d& witness);
+  void addRow(const AffineForm<double>& form, double trust, const GrowingVector& witness);
   void addSpheres(const Candidate& from, double trust);
   bool addCuts(double trust);
 
@@ -65,7 +65,7 @@ private:
   Box centers_;
   const RailTravel* travel_;
   double scale_;        ///< the longest strut [m]
-  double reach_;        ///< largest half extent of K
+  double reach_;        ///< how the largest half extent grows with the size
   double slack_ = 0.0;  ///< largest violation that the programme may leave [m]
   LinearProgramme<5>
       programme_;  ///< unknowns: step of the center, step of the size, violation; in units of the trust region

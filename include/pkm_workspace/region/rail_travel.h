@@ -15,10 +15,10 @@ namespace pkm_workspace
 {
 /// How the regions of a query move along parallel rails. With e the direction of the first rail, every center is x + t
 /// e with its place x in the plane where one coordinate is the level. t changes each joint value by t or -t and nothing
-/// else of what a criterion asks for, so that places are all that has to be searched: a region c + h K that satisfies
+/// else of what a criterion asks for, so that places are all that has to be searched: a region c + K(h) that satisfies
 /// the rest of the criterion at one t keeps its joint limits L_i <= r_i <= U_i, of the joint values r_i counted along
 /// e, for
-///   max (L_i - r_i(x + h k)) <= t <= min (U_i - r_i(x + h k)) over all legs i and points k of K,
+///   max (L_i - r_i(x + k)) <= t <= min (U_i - r_i(x + k)) over all legs i and points k of K(h),
 /// as far as the search box leaves these t. Thread-safe: constant after construction.
 class RailTravel
 {
@@ -35,9 +35,9 @@ public:
   bool binds() const { return binds_; }
 
   /// Appends forms over a box of places and the travel t = reach * delta[axis], |t| <= reach, that are not negative
-  /// where a region keeps the joint limits at these points of K and its center lies in the search box [m]. Valid where
-  /// the struts reach. None where nothing binds.
-  void addForms(const Box& places, double size, const std::vector<Eigen::Vector3d>& points,
+  /// where a region keeps the joint limits at these points of its shape and its center lies in the search box [m].
+  /// Valid where the struts reach. None where nothing binds.
+  void addForms(const Box& places, double size, const std::vector<GrowingVector>& points,
                 std::vector<AffineForm<double>>& forms) const;
 
   /// The place of a point, in floating point.
@@ -48,11 +48,11 @@ public:
     n[axis_] -= n.dot(direction_) / direction_[axis_];
     return n;
   }
-  /// Whether the limits and the search box leave a region at these points of K a center.
-  bool leavesCenter(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+  /// Whether the limits and the search box leave a region at these points of its shape a center.
+  bool leavesCenter(const Eigen::Vector3d& place, double size, const std::vector<GrowingVector>& points) const;
   /// The center in the middle of what they leave it, or one strut beyond the limit if there is but one: where a search
   /// asks for it, which settleHeight() moves.
-  Eigen::Vector3d centerAt(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+  Eigen::Vector3d centerAt(const Eigen::Vector3d& place, double size, const std::vector<GrowingVector>& points) const;
 
 private:
   /// Values of t, in floating point.
@@ -69,7 +69,7 @@ private:
   int sense(int leg) const { return senses_[static_cast<std::size_t>(leg)]; }
   bool alwaysLeavesTravel(double size_bound) const;
   void addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const;
-  Travel travelAt(const Eigen::Vector3d& place, double size, const std::vector<Eigen::Vector3d>& points) const;
+  Travel travelAt(const Eigen::Vector3d& place, double size, const std::vector<GrowingVector>& points) const;
 
   Machine machine_;
   MachineModel<double> model_;

@@ -8,20 +8,20 @@
 
 namespace pkm_workspace
 {
-/// Where regions of a shape are looked at first: points of K, and points of space that are known to be bad. What the
-/// search learns is kept here.
+/// Where regions of a shape are looked at first: points of its family, and points of space that are known to be bad.
+/// What the search learns is kept here.
 class WitnessPoints
 {
 public:
   explicit WitnessPoints(const Shape& shape);
 
-  /// Points of K, exactly: its extreme points, then those that were learnt.
-  const std::vector<Eigen::Vector3d>& ofShape() const { return of_shape_; }
+  /// Points of the family, exactly: its extreme points, then those that were learnt.
+  const std::vector<GrowingVector>& ofShape() const { return of_shape_; }
   /// Points that are proved to violate the criterion [m]: no region may contain them.
   const std::vector<Eigen::Vector3d>& bad() const { return bad_; }
 
-  /// Learns from a region c + h K that is refused because of a bad point: the point is bad for all regions, and its
-  /// place in K is a witness, instead of one that was learnt before and is close to it.
+  /// Learns from a region c + K(h) that is refused because of a bad point: the point is bad for all regions, and its
+  /// place in the family is a witness, instead of one that was learnt before and is close to it.
   void learn(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point);
 
   /// The same where the point is bad for this region only.
@@ -33,7 +33,7 @@ public:
 private:
   const Shape& shape_;
   std::size_t extremes_;
-  std::vector<Eigen::Vector3d> of_shape_;
+  std::vector<GrowingVector> of_shape_;
   std::vector<Eigen::Vector3d> bad_;
   std::size_t next_place_ = 0;  ///< counts what was learnt when there is no room for more
   std::size_t next_bad_ = 0;
