@@ -15,6 +15,7 @@ namespace pkm_workspace
 class BoxShape : public Shape
 {
 public:
+  /// @pre upper - lower rounds nothing
   BoxShape(std::string name, std::string size_meaning, const GrowingVector& lower, const GrowingVector& upper)
     : name_(std::move(name))
     , size_meaning_(std::move(size_meaning))

@@ -19,15 +19,11 @@ constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
 constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
 /// New witness points that one climb may learn from failed certificates.
 constexpr int LESSONS = 24;
-/// From so many boxes on the bounds of boxes are lowered on the way; a search that ends before has no use for them.
-constexpr std::int64_t LONG_SEARCH = 512;
 /// The bounds of open boxes are lowered after so many boxes, and whenever they have doubled: in searches that turn out
 /// long; where a box budget will end them, from early on. It holds to the end: larger budgets never give wider
 /// brackets.
 constexpr std::int64_t CHECKPOINT = 2048;
 constexpr std::int64_t FIRST_CHECKPOINT = 64;
-/// Looks that lower them.
-constexpr int LOWERING_LOOKS = 256;
 /// The finest accuracies that are tried in doubles and with multi-precision, as lengths relative to the longest strut.
 /// Sizes are doubles.
 constexpr double LEAST_ACCURACY = 1e-12;
@@ -163,48 +159,6 @@ void CenterSearch::grow()
   }
 }
 
-/// Asks whether the box can be excluded at the target; if not, whether the gap between its bound and the target can be
-/// halved.
-CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTest& center_test) const
-{
-  Look look{ node.bound <= size ? Closing::BOUND : center_test.excludes(node.centers, size), node.bound,
-             center_test.room() };
-  const double middle = 0.5 * (size + node.bound);
-  const bool is_long = boxes_ >= LONG_SEARCH;
-  if (is_long && !look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
-    look.bound = middle;
-  return look;
-}
-
-void CenterSearch::settle(const Node& node, double size, const Look& look)
-{
-  ++boxes_;
-  if (look.excluded)
-  {
-    excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, size));
-    close(node, *look.excluded);
-    return;
-  }
-  tryCenter(node.centers, target());
-  if (boxes_ >= LONG_SEARCH && look.bound == node.bound)
-    tryCenter(node.centers, 0.5 * (target() + node.bound));
-  if (test_.isBeyondPrecision(node.centers))
-  {
-    unsettled_bound_ = std::max(unsettled_bound_, look.bound);
-    close(node, Closing::UNSETTLED);
-    return;
-  }
-  const auto halves = node.centers.bisect(node.centers.widestAxis());
-  open_.put({ halves.first, look.bound, look.room });
-  open_.put({ halves.second, look.bound, look.room });
-}
-
-void CenterSearch::close(const Node& node, Closing reason) const
-{
-  if (query_.closed)
-    query_.closed(node.centers, reason);
-}
-
 /// A wave ends at a budget and at a checkpoint: what a larger budget does begins with what a smaller one does.
 std::size_t CenterSearch::waveSize() const
 {
@@ -226,7 +180,7 @@ bool CenterSearch::expand(const std::vector<Node>& wave)
   std::vector<Look> looks(wave.size());
   pool_.forEach(wave.size(), [&](std::size_t k) { looks[k] = lookAt(wave[k], size, center_tests_[k]); });
   for (std::size_t k = 0; k < wave.size(); ++k)
-    settle(wave[k], size, looks[k]);
+    settle(wave[k], looks[k]);
   if (boxes_ == checkpoint_)
   {
     lowerBounds();
@@ -244,22 +198,6 @@ void CenterSearch::tellProgress()
   const Shape& shape = *query_.shape;
   query_.progress({ bracket_.lower(), bracket_.upper(), shape.volume(bracket_.lower()).lower(),
                     shape.volume(bracket_.upper()).upper(), boxes_, static_cast<std::int64_t>(open_.size()), now });
-}
-
-/// Lowers the upper bound as far as looks at whole open boxes can.
-void CenterSearch::lowerBounds()
-{
-  for (int look = 0; look < LOWERING_LOOKS && !open_.isEmpty(); ++look)
-  {
-    const Node& first = open_.first();
-    const double lower = 0.5 * (target() + first.bound);
-    if (first.bound <= target() || lower >= first.bound || !center_tests_.front().excludes(first.centers, lower))
-      break;
-    Node node = open_.take();
-    node.bound = lower;
-    open_.put(node);
-  }
-  bracket_.narrow(0.0, upperBound());
 }
 
 LargestRegion CenterSearch::run()

@@ -151,8 +151,15 @@ private:
       open(part);
   }
 
-  /// Looks within half-spaces leave the aspect open; the region is connected, so that its center settles it.
-  bool aspectIsRight() const { return shape_.isBox() || test_.classify(center_) == BoxVerdict::INSIDE; }
+  /// Looks within half-spaces leave the aspect open; the region is connected, so that a point in its middle settles it.
+  bool aspectIsRight() const
+  {
+    if (shape_.isBox())
+      return true;
+    const Eigen::Vector3d middle = center_ + 0.5 * (shape_.lower() + shape_.upper()).at(size_);
+    const auto inside = nearestInside(shape_, middle, center_, size_);
+    return inside && test_.classify(*inside) == BoxVerdict::INSIDE;
+  }
 
   bool refuteAtExtremes()
   {

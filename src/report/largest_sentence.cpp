@@ -14,6 +14,8 @@ namespace
 std::string tooLarge(const LargestRegion& region, int decimals)
 {
   const std::string shape = region.shape->name();
+  if (!region.shape->isScaling() && region.size_upper_bound == 0.0)
+    return shape + " of any size";
   if (!region.ratio)
     return shape + " of a size above " + roundedUp(region.size_upper_bound, decimals);
   return shape + " with a radius of " + exact(region.ratio->lower) + " to " + exact(region.ratio->upper) +

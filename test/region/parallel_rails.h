@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pkm_workspace/machine/frame.h"
+#include "pkm_workspace/region/growing_prisms.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "support/machines.h"
 #include "support/random.h"
@@ -80,6 +81,16 @@ inline RegionQuery queryFor(const ShapePtr& shape, double accuracy)
 inline std::vector<ShapePtr> shapes()
 {
   return { makeCube(), makeSquare(), makeDisc(), makeSphere(), makeBox({ 0.1, 0.2, 1.0 }) };
+}
+
+/// Those that scale about their center, and others.
+inline std::vector<ShapePtr> everyShape()
+{
+  std::vector<ShapePtr> every = shapes();
+  for (const ShapePtr& shape :
+       { makeCylinderOfRadius(0.1, Stand::ON_BASE), makeCylinderOfHeight(0.05), makeBoxOnBase(0.1, 0.2) })
+    every.push_back(shape);
+  return every;
 }
 
 inline LargestRegion expectProven(const Machine& machine, const RegionQuery& query)

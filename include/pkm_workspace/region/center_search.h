@@ -55,7 +55,8 @@ private:
   /// What a thread finds out about a box without touching anything shared.
   struct Look
   {
-    std::optional<Closing> excluded;  ///< at the target, and why
+    double size = 0.0;                ///< that the box was asked about
+    std::optional<Closing> excluded;  ///< at that size, and why
     double bound = 0.0;               ///< the node's, or the middle between it and the target if that was proved
     double room = 0.0;
   };
@@ -71,7 +72,9 @@ private:
   bool certifyBelow(const Candidate& candidate);
   bool expand(const std::vector<Node>& wave);
   Look lookAt(const Node& node, double size, CenterTest& center_test) const;
-  void settle(const Node& node, double size, const Look& look);
+  Look ask(const Node& node, double size, CenterTest& center_test) const;
+  bool isNarrow(const Box& centers) const;
+  void settle(const Node& node, const Look& look);
   void close(const Node& node, Closing reason) const;
   void grow();
   void tryCenter(const Box& centers, double size);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of CenterSearch that asks about boxes of centers.
+#include <algorithm>
+
+#include "pkm_workspace/region/center_search.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// From so many boxes on the bounds of boxes are lowered on the way; a search that ends before has no use for them.
+constexpr std::int64_t LONG_SEARCH = 512;
+/// Looks that lower them.
+constexpr int LOWERING_LOOKS = 256;
+}  // namespace
+
+CenterSearch::Look CenterSearch::ask(const Node& node, double size, CenterTest& center_test) const
+{
+  return { size, node.bound <= size ? Closing::BOUND : center_test.excludes(node.centers, size), node.bound,
+           center_test.room() };
+}
+
+/// Whether the second order of the forms over the box is below what the accuracy makes of a region.
+bool CenterSearch::isNarrow(const Box& centers) const
+{
+  const double width = centers.maxWidth();
+  return width * width <= accuracy_ * query_.shape->halfExtents().per_size.maxCoeff() * scale_;
+}
+
+/// Asks whether the box can be excluded at the target; if not, whether the gap between its bound and the target can be
+/// halved. As long as nothing is found, size 0 comes first where this is no point: boxes that all exclude it prove that
+/// there is no region of any size.
+CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTest& center_test) const
+{
+  const bool may_be_none = !query_.shape->isScaling() && incumbent_.size() == 0.0;
+  Look look = ask(node, may_be_none ? 0.0 : size, center_test);
+  if (may_be_none && !look.excluded && isNarrow(node.centers))
+    look = ask(node, size, center_test);
+  const double middle = 0.5 * (size + node.bound);
+  const bool is_long = boxes_ >= LONG_SEARCH;
+  if (is_long && !look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
+    look.bound = middle;
+  return look;
+}
+
+void CenterSearch::settle(const Node& node, const Look& look)
+{
+  ++boxes_;
+  if (look.excluded)
+  {
+    excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, look.size));
+    close(node, *look.excluded);
+    return;
+  }
+  tryCenter(node.centers, target());
+  if (boxes_ >= LONG_SEARCH && look.bound == node.bound)
+    tryCenter(node.centers, 0.5 * (target() + node.bound));
+  if (test_.isBeyondPrecision(node.centers))
+  {
+    unsettled_bound_ = std::max(unsettled_bound_, look.bound);
+    close(node, Closing::UNSETTLED);
+    return;
+  }
+  const auto halves = node.centers.bisect(node.centers.widestAxis());
+  open_.put({ halves.first, look.bound, look.room });
+  open_.put({ halves.second, look.bound, look.room });
+}
+
+void CenterSearch::close(const Node& node, Closing reason) const
+{
+  if (query_.closed)
+    query_.closed(node.centers, reason);
+}
+
+/// Lowers the upper bound as far as looks at whole open boxes can.
+void CenterSearch::lowerBounds()
+{
+  for (int look = 0; look < LOWERING_LOOKS && !open_.isEmpty(); ++look)
+  {
+    const Node& first = open_.first();
+    const double lower = 0.5 * (target() + first.bound);
+    if (first.bound <= target() || lower >= first.bound || !center_tests_.front().excludes(first.centers, lower))
+      break;
+    Node node = open_.take();
+    node.bound = lower;
+    open_.put(node);
+  }
+  bracket_.narrow(0.0, upperBound());
+}
+}  // namespace pkm_workspace
