@@ -61,7 +61,7 @@ public:
   void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
 
   void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets, std::size_t count,
-                      NecessaryForms* results) const override
+                      NecessaryForms* results, FormOrigin* origins) const override
   {
     const WideRegisters<Real> wide;
     CenteredBox<Real> box;
@@ -72,7 +72,8 @@ public:
     }
     box.slack = Real(centers.slack);
     for (std::size_t first = 0; first < count; first += W)
-      FormCollector<Real>(per_length_, results + first, count - first)
+      FormCollector<Real>(per_length_, results + first, origins ? origins + first * NecessaryForms::MOST : nullptr,
+                          count - first)
           .collect(model_, gatherMoved(box, Real(size), offsets + first, count - first));
   }
 

@@ -55,9 +55,13 @@ public:
     inside_ = inside_ | holds;
   }
 
-  void matrix(const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, true); }
+  void matrix(const Subject& /*subject*/, const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, true); }
   void sufficient(const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, false); }
-  void necessary(const AffineForm<Real>& form) { outside_ = outside_ | (form.upper() < Real(0.0)); }
+  void necessary(const Subject& /*subject*/, const PlainVector<Real>& /*u*/, const PlainVector<Real>& /*v*/,
+                 const AffineForm<Real>& form)
+  {
+    exclude(form);
+  }
 
   /// One point settles the sign; not within a half-space, where it may lie beyond.
   template <class Form>
@@ -75,6 +79,9 @@ public:
 private:
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
+  /// No point is good where the form is negative all over the box.
+  void exclude(const AffineForm<Real>& form) { outside_ = outside_ | (form.upper() < Real(0.0)); }
+
   Mask isPositive(const AffineForm<Real>& form) const
   {
     Mask holds = form.lower() > Real(0.0);
@@ -85,7 +92,7 @@ private:
 
   void require(const AffineForm<Real>& form)
   {
-    necessary(form);
+    exclude(form);
     inside_ = inside_ & isPositive(form);
   }
 
@@ -107,7 +114,7 @@ private:
     const PlainVector<Real> v = leastEigenvector(matrix).vector;
     AffineForm<Real> form = quadraticForm(matrix, v);
     if (is_necessary)
-      necessary(form);
+      exclude(form);
     Mask holds = !everywhere();
     if (question_.is_limited)
     {

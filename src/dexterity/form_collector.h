@@ -29,16 +29,18 @@ class FormCollector
 public:
   /// Keeps a reference.
   /// @param per_length powersPerLength() of the machine: makes forms to be without unit
-  FormCollector(const std::array<Real, 4>& per_length, NecessaryForms* results, std::size_t count)
-    : per_length_(per_length), results_(results), count_(std::min(count, W))
+  /// @param origins MOST for each result, or nullptr
+  FormCollector(const std::array<Real, 4>& per_length, NecessaryForms* results, FormOrigin* origins, std::size_t count)
+    : per_length_(per_length), results_(results), origins_(origins), count_(std::min(count, W))
   {}
 
   void collect(const MachineModel<Real>& model, const CenteredBox<Real>& box)
   {
     const MachineForms<Real> forms = model.legs().evaluate(box);
-    Mask violated = !everywhere();
+    std::array<Mask, 3> beyond;
     for (std::size_t i = 0; i < 3; ++i)
-      violated = violated | (forms.legs[i].squared_drive.upper() < model.legs().floor(i));
+      beyond[i] = forms.legs[i].squared_drive.upper() < model.legs().floor(i);
+    const Mask violated = beyond[0] | beyond[1] | beyond[2];
     for (std::size_t lane = 0; lane < count_; ++lane)
     {
       results_[lane].violated = violated[static_cast<int>(lane)];
@@ -46,23 +48,29 @@ public:
       results_[lane].forms = 0;
     }
     model.visit(forms, box, *this);
+    if (origins_)
+      noteViolations(beyond);
   }
 
   static constexpr bool isSettled() { return false; }
   static constexpr void sufficient(const SymmetricForms<Real>& /*matrix*/) {}
 
-  void scalar(const Subject& /*subject*/, const AffineForm<Real>& form, int power)
+  void scalar(const Subject& subject, const AffineForm<Real>& form, int power)
   {
-    append(scaled(form, power), everywhere());
+    append(scaled(form, power), everywhere(), { subject, {}, {} });
   }
 
   template <class Alternative>
   void scalarOr(const AffineForm<Real>& form, int power, bool /*exists*/, const Alternative& /*alternative*/)
   {
-    append(scaled(form, power), everywhere());
+    scalar({ ConditionKind::ASPECT }, form, power);
   }
 
-  void necessary(const AffineForm<Real>& form) { append(form, everywhere()); }
+  void necessary(const Subject& subject, const PlainVector<Real>& u, const PlainVector<Real>& v,
+                 const AffineForm<Real>& form)
+  {
+    append(form, everywhere(), { subject, u, v });
+  }
 
   /// The form helps only where its sign is wrong.
   template <class Form>
@@ -70,10 +78,10 @@ public:
   {
     const Mask useful = center.lower() < Real(0.0);
     if (any(useful))
-      append(scaled(form(), power), useful);
+      append(scaled(form(), power), useful, { { ConditionKind::ASPECT }, {}, {} });
   }
 
-  void matrix(SymmetricForms<Real> matrix)
+  void matrix(const Subject& subject, SymmetricForms<Real> matrix)
   {
     for (AffineForm<Real>& entry : matrix)
       entry = scaled(entry, 2);
@@ -81,21 +89,30 @@ public:
     int lane = 0;
     for (NecessaryForms* forms = results_; forms != end && forms->matrices < forms->matrix.size(); ++forms, ++lane)
     {
+      forms->kind[forms->matrices] = subject.kind;
       SymmetricForms<double>& result = forms->matrix[forms->matrices++];
       for (std::size_t entry = 0; entry < 6; ++entry)
         result[entry] = laneOf(matrix[entry], lane);
     }
     if constexpr (W == 1)
-      appendPlane(matrix);
+      appendPlane(subject, matrix);
     else
-      append(quadraticForm(matrix, leastEigenvector(matrix).vector), everywhere());
+      appendAlong(subject, matrix, leastEigenvector(matrix).vector);
   }
 
 private:
+  /// What a form says, for boxes side by side.
+  struct Origin
+  {
+    Subject subject;
+    PlainVector<Real> u;
+    PlainVector<Real> v;
+  };
+
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
   /// The forms for the two least eigenvectors and two between them: no cut of the matrix in doubles could be as exact.
-  void appendPlane(const SymmetricForms<Real>& matrix)
+  void appendPlane(const Subject& subject, const SymmetricForms<Real>& matrix)
   {
     eigen::Symmetric<Real> center;
     for (std::size_t k = 0; k < 6; ++k)
@@ -105,8 +122,13 @@ private:
     {
       const PlainVector<Real> v =
           eigen::combined(Real(1.0 - std::abs(share)), basis.vector[0], Real(share), basis.vector[1]);
-      append(quadraticForm(matrix, v), everywhere());
+      appendAlong(subject, matrix, v);
     }
+  }
+
+  void appendAlong(const Subject& subject, const SymmetricForms<Real>& matrix, const PlainVector<Real>& v)
+  {
+    append(quadraticForm(matrix, v), everywhere(), { subject, {}, v });
   }
 
   /// The form over a power of the machine's scale, to be without unit; exact.
@@ -119,17 +141,42 @@ private:
   }
 
   /// What there is no room for is left out: the others hold all the same.
-  void append(const AffineForm<Real>& form, Mask useful)
+  void append(const AffineForm<Real>& form, Mask useful, const Origin& origin)
   {
     NecessaryForms* const end = results_ + count_;
     int lane = 0;
     for (NecessaryForms* forms = results_; forms != end; ++forms, ++lane)
       if (useful[lane] && forms->forms < NecessaryForms::MOST)
+      {
+        if (origins_)
+          note(origin, lane, forms->forms);
         forms->form[forms->forms++] = laneOf(form, lane);
+      }
+  }
+
+  /// The first leg that is out of reach stands for all forms.
+  void noteViolations(const std::array<Mask, 3>& beyond)
+  {
+    for (std::size_t lane = 0; lane < count_; ++lane)
+      for (std::size_t leg = 3; leg-- > 0;)
+        if (beyond[leg][static_cast<int>(lane)])
+          origins_[lane * NecessaryForms::MOST] = { { ConditionKind::REACH, leg }, {}, {} };
+  }
+
+  void note(const Origin& origin, int lane, std::size_t form)
+  {
+    FormOrigin& result = origins_[static_cast<std::size_t>(lane) * NecessaryForms::MOST + form];
+    result.subject = origin.subject;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      result.u[k] = origin.u[k][lane];
+      result.v[k] = origin.v[k][lane];
+    }
   }
 
   const std::array<Real, 4>& per_length_;
   NecessaryForms* results_;
+  FormOrigin* origins_;
   std::size_t count_;
 };
 }  // namespace pkm_workspace

@@ -16,8 +16,10 @@ constexpr int LOWERING_LOOKS = 256;
 
 CenterSearch::Look CenterSearch::ask(const Node& node, double size, CenterTest& center_test) const
 {
-  return { size, node.bound <= size ? Closing::BOUND : center_test.excludes(node.centers, size), node.bound,
-           center_test.room() };
+  if (node.bound <= size)
+    return { size, Closing::BOUND, node.bound, node.room, { Closing::BOUND, node.centers, node.bound, {} } };
+  const std::optional<Closing> excluded = center_test.excludes(node.centers, size);
+  return { size, excluded, node.bound, center_test.room(), center_test.reason() };
 }
 
 /// Whether the second order of the forms over the box is below what the accuracy makes of a region.
@@ -39,7 +41,10 @@ CenterSearch::Look CenterSearch::lookAt(const Node& node, double size, CenterTes
   const double middle = 0.5 * (size + node.bound);
   const bool is_long = boxes_ >= LONG_SEARCH;
   if (is_long && !look.excluded && middle < node.bound && center_test.excludes(node.centers, middle))
+  {
     look.bound = middle;
+    look.reason = center_test.reason();
+  }
   return look;
 }
 
@@ -49,16 +54,18 @@ void CenterSearch::settle(const Node& node, const Look& look)
   if (look.excluded)
   {
     excluded_bound_ = std::max(excluded_bound_, std::min(node.bound, look.size));
-    close(node, *look.excluded);
+    close(node, look.reason);
     return;
   }
+  if (look.bound < node.bound)
+    noteLowered(look.reason);
   tryCenter(node.centers, target());
   if (boxes_ >= LONG_SEARCH && look.bound == node.bound)
     tryCenter(node.centers, 0.5 * (target() + node.bound));
   if (test_.isBeyondPrecision(node.centers))
   {
     unsettled_bound_ = std::max(unsettled_bound_, look.bound);
-    close(node, Closing::UNSETTLED);
+    close(node, { Closing::UNSETTLED, node.centers, look.bound, {} });
     return;
   }
   const auto halves = node.centers.bisect(node.centers.widestAxis());
@@ -66,10 +73,29 @@ void CenterSearch::settle(const Node& node, const Look& look)
   open_.put({ halves.second, look.bound, look.room });
 }
 
-void CenterSearch::close(const Node& node, Closing reason) const
+void CenterSearch::noteLowered(const Reason& reason)
 {
   if (query_.closed)
-    query_.closed(node.centers, reason);
+    lowered_.push_back(reason);
+}
+
+/// A bound that is worth as much was proved of a box that holds this one.
+void CenterSearch::close(const Node& node, Reason reason) const
+{
+  if (!query_.closed)
+    return;
+  const auto proves = [&node](const Reason& lowered) {
+    return lowered.size == node.bound && (lowered.centers.lower.array() <= node.centers.lower.array()).all() &&
+           (lowered.centers.upper.array() >= node.centers.upper.array()).all();
+  };
+  if (reason.closing == Closing::BOUND)
+  {
+    const auto earlier = std::find_if(lowered_.begin(), lowered_.end(), proves);
+    if (earlier != lowered_.end())
+      reason = *earlier;
+    reason.closing = Closing::BOUND;
+  }
+  query_.closed(node.centers, reason);
 }
 
 /// Lowers the upper bound as far as looks at whole open boxes can.
@@ -78,11 +104,12 @@ void CenterSearch::lowerBounds()
   for (int look = 0; look < LOWERING_LOOKS && !open_.isEmpty(); ++look)
   {
     const Node& first = open_.first();
-    const double lower = 0.5 * (target() + first.bound);
-    if (first.bound <= target() || lower >= first.bound || !center_tests_.front().excludes(first.centers, lower))
+    const double middle = 0.5 * (target() + first.bound);
+    if (first.bound <= target() || middle >= first.bound || !center_tests_.front().excludes(first.centers, middle))
       break;
     Node node = open_.take();
-    node.bound = lower;
+    noteLowered(center_tests_.front().reason());
+    node.bound = middle;
     open_.put(node);
   }
   bracket_.narrow(0.0, upperBound());

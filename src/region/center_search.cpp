@@ -54,7 +54,7 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , test_across_rails_(withoutLimits(machine, query, space_))
   , travel_(space_.travel && space_.travel->binds() ? &*space_.travel : nullptr)
   , witnesses_(*query.shape)
-  , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_))
+  , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_, query.closed != nullptr))
   , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, travel_)
   , pool_(query.budget.threads)
   , scale_(machine.scale())

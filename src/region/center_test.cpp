@@ -18,11 +18,17 @@ Enclosed<double> exactly(double value)
 {
   return Enclosed<double>(Interval(value));
 }
+
+ReasonTerm withForm(ReasonTerm term, const AffineForm<double>& form)
+{
+  term.form = form;
+  return term;
+}
 }  // namespace
 
 CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
-                       const RailTravel* travel)
-  : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel)
+                       const RailTravel* travel, bool keeps_reasons)
+  : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel), keeps_reasons_(keeps_reasons)
 {
   if (test.spheres().empty())
     return;
@@ -33,34 +39,53 @@ CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoi
         between_.push_back(*middle);
 }
 
+/// @param term makes what the form says, where reasons are kept
+/// @return true when the form is negative on the whole box: that alone excludes it
+template <class Term>
+bool CenterTest::add(const AffineForm<double>& form, const Term& term)
+{
+  if (form.upper() < 0.0)
+  {
+    if (keeps_reasons_)
+      reason_.terms = { withForm(term(), form) };
+    return true;
+  }
+  if (form.lower() > 0.0)
+    return false;  // it cannot help
+  forms_.push_back(form);
+  if (keeps_reasons_)
+    terms_.push_back(withForm(term(), form));
+  programme_.add({ form.center + form.radius, { form.gradient[0], form.gradient[1], form.gradient[2], -ROOM } });
+  return false;
+}
+
 /// @return true when that alone excludes the box
 bool CenterTest::addTravel(const Box& places, double size)
 {
   travel_forms_.clear();
   travel_->addForms(places, size, witnesses_.ofShape(), travel_forms_);
   const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
-  return std::any_of(travel_forms_.begin(), travel_forms_.end(),
-                     [&](const AffineForm<double>& form) { return add(per_length * form); });
+  return std::any_of(travel_forms_.begin(), travel_forms_.end(), [&](const AffineForm<double>& form) {
+    return add(per_length * form, [] { return ReasonTerm{ ReasonTerm::Kind::TRAVEL }; });
+  });
 }
 
-/// @return true when the form is negative on the whole box: that alone excludes it
-bool CenterTest::add(const AffineForm<double>& form)
+/// What the criterion makes necessary at a witness point. @return true when that alone excludes the box
+bool CenterTest::addNecessary(std::size_t k)
 {
-  if (form.upper() < 0.0)
-    return true;
-  if (form.lower() > 0.0)
-    return false;  // it cannot help
-  forms_.push_back(form);
-  programme_.add({ form.center + form.radius, { form.gradient[0], form.gradient[1], form.gradient[2], -ROOM } });
-  return false;
-}
-
-bool CenterTest::addNecessary(const NecessaryForms& necessary)
-{
+  const NecessaryForms& necessary = necessary_[k];
+  const auto term = [&](std::size_t form) {
+    ReasonTerm result{ ReasonTerm::Kind::CONDITION };
+    result.place = witnesses_.ofShape()[k];
+    result.origin = origins_[k * NecessaryForms::MOST + form];
+    return result;
+  };
+  if (necessary.violated && keeps_reasons_)
+    reason_.terms = { term(0) };
   if (necessary.violated)
     return true;
-  for (std::size_t k = 0; k < necessary.forms; ++k)
-    if (add(necessary.form[k]))
+  for (std::size_t form = 0; form < necessary.forms; ++form)
+    if (add(necessary.form[form], [&] { return term(form); }))
       return true;
   return false;
 }
@@ -92,8 +117,9 @@ bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>&
     beyond = beyond || excesses_.back().lower() > 0.0;
   }
   within = within || (!excesses_.empty() && reachesInto(sphere, box, size));
+  const auto term = [] { return ReasonTerm{ ReasonTerm::Kind::SPHERE }; };
   for (const AffineForm<double>& excess : excesses_)
-    if ((within && add(-excess)) || (beyond && add(excess)))
+    if ((within && add(-excess, term)) || (beyond && add(excess, term)))
       return true;
   return false;
 }
@@ -102,11 +128,19 @@ bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>&
 bool CenterTest::combinationExcludes()
 {
   AffineForm<double> sum;
+  reason_.terms.clear();
   for (const auto& term : programme_.certificate())
     if (!std::isfinite(term.weight))
       return false;
     else if (term.row >= 0)
-      sum = sum + exactly(term.weight) * forms_[static_cast<std::size_t>(term.row)];
+    {
+      const auto row = static_cast<std::size_t>(term.row);
+      sum = sum + exactly(term.weight) * forms_[row];
+      if (!keeps_reasons_)
+        continue;
+      reason_.terms.push_back(terms_[row]);
+      reason_.terms.back().weight = term.weight;
+    }
   return sum.upper() < 0.0;
 }
 
@@ -116,9 +150,10 @@ bool CenterTest::addCuts()
   const auto& point = programme_.point();
   const std::array<double, 3> delta = { point[0], point[1], point[2] };
   bool added = false;
-  for (const NecessaryForms& necessary : necessary_)
-    for (std::size_t m = 0; m < necessary.matrices; ++m)
+  for (std::size_t k = 0; k < necessary_.size(); ++k)
+    for (std::size_t m = 0; m < necessary_[k].matrices; ++m)
     {
+      const NecessaryForms& necessary = necessary_[k];
       if (isAbove(necessary.matrix[m], delta, -WORTH_A_CUT))
         continue;
       const auto pair = leastEigenvector(necessary.matrix[m], delta);
@@ -127,7 +162,10 @@ bool CenterTest::addCuts()
                            form.gradient[2] * delta[2];
       if (value > room_ - WORTH_A_CUT * std::abs(room_))
         continue;
-      add(form);
+      add(form, [&] {
+        const FormOrigin origin{ { necessary.kind[m] }, {}, pair.vector };
+        return ReasonTerm{ ReasonTerm::Kind::CONDITION, witnesses_.ofShape()[k], origin };
+      });
       added = true;
     }
   return added;
@@ -140,7 +178,12 @@ bool CenterTest::addKnown(const Box& centers, double size)
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
     const auto avoidance = shape_.avoidance(point, centers, size);
-    if (avoidance && add(per_length * *avoidance))
+    const auto term = [&point] {
+      ReasonTerm result{ ReasonTerm::Kind::BAD_POINT };
+      result.point = point;
+      return result;
+    };
+    if (avoidance && add(per_length * *avoidance, term))
       return true;
   }
   return false;
@@ -148,30 +191,44 @@ bool CenterTest::addKnown(const Box& centers, double size)
 
 std::optional<Closing> CenterTest::excludes(const Box& centers, double size)
 {
-  const std::optional<Closing> excluded = excludes(centers, size, test_.kernel());
+  std::optional<Closing> excluded = excludes(centers, size, test_.kernel());
   const BoxKernel* finer = excluded ? nullptr : test_.finerKernel(centers);
-  return finer ? excludes(centers, size, *finer) : excluded;
+  if (finer)
+    excluded = excludes(centers, size, *finer);
+  reason_.closing = excluded.value_or(Closing::UNSETTLED);
+  reason_.centers = centers;
+  reason_.size = size;
+  return excluded;
 }
 
-std::optional<Closing> CenterTest::excludes(const Box& centers, double size, const BoxKernel& kernel)
+/// By one form, as far as they are known before there are cuts: those that do not are kept.
+std::optional<Closing> CenterTest::excludesAlone(const Box& centers, double size, const BoxKernel& kernel)
 {
-  forms_.clear();
-  programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
-  room_ = ROOM;
   if (addKnown(centers, size))
     return Closing::BAD_POINT;
   const CenteredBox<double> box(centers);
   const std::vector<GrowingVector>& places = witnesses_.ofShape();
   necessary_.resize(places.size());
-  kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data());
-  for (const NecessaryForms& necessary : necessary_)
-    if (addNecessary(necessary))
-      return Closing::FORM;
-  if (travel_ && addTravel(centers, size))
-    return Closing::FORM;
-  for (const StrutSphere& sphere : test_.spheres())
-    if (addSphere(sphere, box, centers, size))
-      return Closing::FORM;
+  origins_.resize(keeps_reasons_ ? places.size() * NecessaryForms::MOST : 0);
+  kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data(),
+                        keeps_reasons_ ? origins_.data() : nullptr);
+  bool excluded = false;
+  for (std::size_t k = 0; k < places.size() && !excluded; ++k)
+    excluded = addNecessary(k);
+  excluded = excluded || (travel_ && addTravel(centers, size)) ||
+             std::any_of(test_.spheres().begin(), test_.spheres().end(),
+                         [&](const StrutSphere& sphere) { return addSphere(sphere, box, centers, size); });
+  return excluded ? std::make_optional(Closing::FORM) : std::nullopt;
+}
+
+std::optional<Closing> CenterTest::excludes(const Box& centers, double size, const BoxKernel& kernel)
+{
+  forms_.clear();
+  terms_.clear();
+  programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
+  room_ = ROOM;
+  if (const auto excluded = excludesAlone(centers, size, kernel))
+    return excluded;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();

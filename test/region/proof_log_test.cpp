@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/reason.h"
 #include "support/machines.h"
 
 namespace pkm_workspace
@@ -33,7 +34,7 @@ Logged solve(const Machine& machine, const ShapePtr& shape, const Box& centers, 
   query.shape = shape;
   query.search_box = centers;
   query.budget.threads = threads;
-  query.closed = [&](const Box& box, Closing reason) { result.closed.push_back({ box, reason }); };
+  query.closed = [&](const Box& box, const Reason& reason) { result.closed.push_back({ box, reason.closing }); };
   result.region = findLargestRegion(machine, query);
   return result;
 }

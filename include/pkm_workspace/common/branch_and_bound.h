@@ -23,8 +23,8 @@ enum class Closing
 };
 
 /// Is told each node that is closed, in an order that depends on no thread, and why.
-template <class Node>
-using ProofLog = std::function<void(const Node&, Closing)>;
+template <class Node, class Reason = Closing>
+using ProofLog = std::function<void(const Node&, const Reason&)>;
 
 /// How a search ended.
 enum class Ending

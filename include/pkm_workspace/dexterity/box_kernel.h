@@ -20,6 +20,14 @@ enum class BoxVerdict : unsigned char
   UNDECIDED,  ///< neither is proved
 };
 
+/// What a necessary form says: of a condition, and by which vectors; of a matrix S it is v^T S v.
+struct FormOrigin
+{
+  Subject subject;
+  std::array<double, 3> u;  ///< of the condition number, the first one
+  std::array<double, 3> v;  ///< rounded, where the form is from multi-precision
+};
+
 /// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
 struct NecessaryForms
 {
@@ -31,6 +39,7 @@ struct NecessaryForms
   std::size_t matrices = 0;                      ///< one for each side on which the factors are bounded
   std::size_t forms = 0;                         ///< how many of the forms are in use; the aspect's only where in doubt
   std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, those that count, without unit
+  std::array<ConditionKind, 2> kind;             ///< of each matrix
   std::array<AffineForm<double>, MOST> form;     ///< without unit
 };
 
@@ -54,8 +63,10 @@ public:
   /// that psi_max asks for
   virtual void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
   /// The necessary forms at the centers' box, moved by offset.at(size) for each offset.
+  /// @param origins NecessaryForms::MOST for each offset, of its forms in turn, or the first of the leg that is out of
+  /// reach where they are violated; or nullptr
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets,
-                              std::size_t count, NecessaryForms* results) const = 0;
+                              std::size_t count, NecessaryForms* results, FormOrigin* origins = nullptr) const = 0;
   /// MachineModel::margin at each of the points [m].
   virtual void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const = 0;
 };

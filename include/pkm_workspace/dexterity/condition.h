@@ -58,9 +58,9 @@ constexpr double NO_MARGIN = 1e300;
 //   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for.
 //   A visitor that isSettled() hears no more.
 //     scalar(subject, form, power)      the condition holds where the form, in m^power, is not negative
-//     matrix(form)                      it holds where the matrix [m^2] is positive semidefinite
+//     matrix(subject, form)             it holds where the matrix [m^2] is positive semidefinite
 //     sufficient(form)                  it holds where all such matrices are, and maybe elsewhere
-//     necessary(form)                   it holds nowhere where the form is negative
+//     necessary(subject, u, v, form)    it holds nowhere where the form is negative, that it has by the vectors u and v
 //     oneSigned(at_center, form(), power)  it holds where the form is positive, which has no zero where the conditions
 //                                       before it in the list hold
 //     scalarOr(form, power, exist, alternative())  as scalar; or all of the alternative forms are positive

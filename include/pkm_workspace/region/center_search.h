@@ -59,6 +59,7 @@ private:
     std::optional<Closing> excluded;  ///< at that size, and why
     double bound = 0.0;               ///< the node's, or the middle between it and the target if that was proved
     double room = 0.0;
+    Reason reason{};  ///< of what was excluded, if reasons are kept
   };
 
   void start();
@@ -75,7 +76,8 @@ private:
   Look ask(const Node& node, double size, CenterTest& center_test) const;
   bool isNarrow(const Box& centers) const;
   void settle(const Node& node, const Look& look);
-  void close(const Node& node, Closing reason) const;
+  void noteLowered(const Reason& reason);
+  void close(const Node& node, Reason reason) const;
   void grow();
   void tryCenter(const Box& centers, double size);
   std::int64_t looks() const { return boxes_; }
@@ -103,6 +105,8 @@ private:
   double excluded_bound_ = 0.0;   ///< no center in an excluded box carries a larger region
   double unsettled_bound_ = 0.0;  ///< the same for boxes that doubles cannot divide further
   BestFirst<Node> open_;
+  /// Why bounds of boxes were lowered: only where somebody wants to know.
+  std::vector<Reason> lowered_;
   std::int64_t boxes_ = 0;
   const bool is_part_;       ///< of a search over machines, which ends it soon
   std::int64_t checkpoint_;  ///< boxes after which the bounds of open boxes are lowered next

@@ -9,6 +9,7 @@
 #include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/region/linear_programme.h"
 #include "pkm_workspace/region/rail_travel.h"
+#include "pkm_workspace/region/reason.h"
 #include "pkm_workspace/region/witness_points.h"
 
 namespace pkm_workspace
@@ -29,13 +30,16 @@ class CenterTest
 public:
   /// Keeps references: the witness points may grow between calls. @param travel where centers have places, or nullptr:
   /// the test is then of a criterion without joint limits
+  /// @param keeps_reasons whether reason() can be asked for
   CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
-             const RailTravel* travel = nullptr);
+             const RailTravel* travel = nullptr, bool keeps_reasons = false);
 
   /// Why no center in the box, or with its place there, carries a region of this size, nor of a larger one; nothing
   /// where that is not proved.
   std::optional<Closing> excludes(const Box& centers, double size);
 
+  /// After excludes() told why: what proves it.
+  const Reason& reason() const { return reason_; }
   /// After excludes() told nothing: the optimum of the programme, without unit. The larger, the more room seems to be
   /// left.
   double room() const { return room_; }
@@ -45,10 +49,12 @@ public:
 
 private:
   std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
+  std::optional<Closing> excludesAlone(const Box& centers, double size, const BoxKernel& kernel);
   bool addKnown(const Box& centers, double size);
   bool addTravel(const Box& places, double size);
-  bool addNecessary(const NecessaryForms& necessary);
-  bool add(const AffineForm<double>& form);
+  bool addNecessary(std::size_t k);
+  template <class Term>
+  bool add(const AffineForm<double>& form, const Term& term);
   bool addSphere(const StrutSphere& sphere, const CenteredBox<double>& box, const Box& centers, double size);
   bool reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const;
   bool combinationExcludes();
@@ -64,7 +70,11 @@ private:
   std::vector<GrowingVector> between_;        ///< points of the family, exactly, between its extreme points
   std::vector<AffineForm<double>> excesses_;  ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
-  LinearProgramme<4> programme_;  ///< unknowns: delta, and the room in units of ROOM
+  const bool keeps_reasons_;
+  std::vector<FormOrigin> origins_;  ///< MOST for each witness point
+  std::vector<ReasonTerm> terms_;    ///< one for each of the forms
+  Reason reason_;                    ///< of the box that was excluded last
+  LinearProgramme<4> programme_;     ///< unknowns: delta, and the room in units of ROOM
   double room_ = 0.0;
 };
 }  // namespace pkm_workspace

@@ -17,6 +17,8 @@
 
 namespace pkm_workspace
 {
+struct Reason;
+
 /// How far a computation has come; sizes and volumes as in LargestRegion. Brackets only get narrower: of sizes, where
 /// the ratio is free of volumes (the height may get less when a wider cylinder has the larger volume).
 struct RegionProgress
@@ -51,7 +53,8 @@ struct RegionQuery
   Budget budget;                                        ///< max_boxes counts boxes of centers
   std::function<void(const RegionProgress&)> progress;  ///< called now and then, if given
   double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
-  ProofLog<Box> closed;  ///< told each box of centers that is closed, if given; of a free ratio nothing
+  ProofLog<Box, Reason>
+      closed;  ///< told each box of centers that is closed (reason.h), if given; of a free ratio nothing
 
   void validate(Problems& problems) const;
 };

@@ -67,14 +67,14 @@ private:
   void visitNecessary(const ExtremeFactors<Real>& factors, const SymmetricForms<Real>& a_a,
                       const SymmetricForms<Real>& b_b, Visitor& visitor) const
   {
-    const auto balance = [&](const std::array<Real, 3>& u, const std::array<Real, 3>& v) {
+    const auto tell = [&](const std::array<Real, 3>& u, const std::array<Real, 3>& v) {
       const AffineForm<Real> difference =
           squared_ * (quadraticForm(a_a, u) * quadraticForm(b_b, v)) - quadraticForm(a_a, v) * quadraticForm(b_b, u);
-      return Enclosed<Real>(per_squared_, Real(0)) * difference;
+      visitor.necessary({ ConditionKind::KAPPA_MAX }, u, v, Enclosed<Real>(per_squared_, Real(0)) * difference);
     };
-    visitor.necessary(balance(factors.least.vector, factors.largest.vector));
-    visitor.necessary(balance(factors.least.vector, factors.middle));
-    visitor.necessary(balance(factors.middle, factors.largest.vector));
+    tell(factors.least.vector, factors.largest.vector);
+    tell(factors.least.vector, factors.middle);
+    tell(factors.middle, factors.largest.vector);
   }
 
   /// The geometric middle of psi_1^2 and psi_3^2 / kappa^2 at delta = 0, and how it changes to first order. Any affine

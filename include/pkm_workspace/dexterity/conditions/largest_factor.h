@@ -30,7 +30,7 @@ public:
   void visit(const Place& place, Visitor& visitor) const
   {
     if (is_asked_)
-      visitor.matrix(oppositePencilForms(place.legs, place.forms, squared_));
+      visitor.matrix({ ConditionKind::PSI_MAX }, oppositePencilForms(place.legs, place.forms, squared_));
   }
 
   Real margin(const NearPlace<Real>& place) const

@@ -28,7 +28,7 @@ public:
   void visit(const Place& place, Visitor& visitor) const
   {
     if (is_asked_)
-      visitor.matrix(pencilForms(place.legs, place.forms, minus_squared_));
+      visitor.matrix({ ConditionKind::PSI_MIN }, pencilForms(place.legs, place.forms, minus_squared_));
   }
 
   Real margin(const NearPlace<Real>& place) const
