@@ -170,6 +170,18 @@ Hypotheses toMessage(const Premises& premises, double accuracy)
   return message;
 }
 
+Premises fromMessage(const Hypotheses& hypotheses)
+{
+  Criterion criterion;
+  criterion.set = fromNumber(hypotheses.set, SET_NAMES, Criterion::Set::REACHABLE);
+  criterion.aspect = fromNumber(hypotheses.aspect, ASPECT_NAMES, Criterion::Aspect::OWN);
+  for (const MessageFields& fields : FIELDS)
+    criterion.*fields.value = hypotheses.*fields.hypotheses;
+  criterion.joint_limits = hypotheses.joint_limits;
+  return { hypotheses.machine, hypotheses.geometry_hash, canonical(criterion), fromMessage(hypotheses.root),
+           hypotheses.version };
+}
+
 std::string captionOf(const Premises& premises, const std::string& precision, double accuracy)
 {
   TextStream text;

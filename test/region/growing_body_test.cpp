@@ -7,6 +7,7 @@
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/growing_prisms.h"
 #include "region/parallel_rails.h"
+#include "support/body_points.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/octahedron.h"
@@ -24,7 +25,7 @@ using Exact = boost::multiprecision::cpp_bin_float_100;
 using Offset = std::array<Exact, 3>;
 
 /// A family, and its definition apart from it: whether K(h) holds a point.
-struct Family
+struct GrowingFamily
 {
   ShapePtr shape;
   bool (*holds)(const Offset& k, const Exact& h);
@@ -42,7 +43,7 @@ bool isRound(const Offset& k, const Exact& radius)
 
 const Exact RADIUS = 0.25, HEIGHT = 0.375, SIDE_X = 0.5, SIDE_Y = 0.125;
 
-std::vector<Family> givenMeasures()
+std::vector<GrowingFamily> givenMeasures()
 {
   return {
     { makeCylinderOfRadius(0.25, Stand::ON_BASE),
@@ -59,10 +60,10 @@ std::vector<Family> givenMeasures()
   };
 }
 
-std::vector<Family> families()
+std::vector<GrowingFamily> growingFamilies()
 {
-  std::vector<Family> all = givenMeasures();
-  const Family scaling[] = {
+  std::vector<GrowingFamily> all = givenMeasures();
+  const GrowingFamily scaling[] = {
     { makeCube(),
       [](const Offset& k, const Exact& h) {
         return isBetween(-h / 2, k[0], h / 2) && isBetween(-h / 2, k[1], h / 2) && isBetween(-h / 2, k[2], h / 2);
@@ -104,21 +105,12 @@ Exact dotOf(const Vector3d& n, const Offset& k)
   return n.x() * k[0] + n.y() * k[1] + n.z() * k[2];
 }
 
-/// A point of c + K(h), on its surface more often than not.
-Vector3d pointOf(const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
-{
-  const Vector3d reach = shape.halfExtents().at(size);
-  const Box bounds = shape.boundingBox(center, size);
-  const Vector3d far = random.pointIn({ bounds.lower - 0.5 * reach, bounds.upper + 0.5 * reach });
-  return nearestInside(shape, far, center, size).value_or(center);
-}
-
 /// Calls check(family, center, size) with numbers of many kinds.
 template <class Check>
-void forEachRegion(const std::vector<Family>& of, int count, const Check& check)
+void forEachRegion(const std::vector<GrowingFamily>& of, int count, const Check& check)
 {
   RandomBoxes random(SEED);
-  for (const Family& family : of)
+  for (const GrowingFamily& family : of)
     for (int k = 0; k < cases(count); ++k)
     {
       SCOPED_TRACE(family.shape->name() + ", " + family.shape->sizeMeaning() + ", seed " + std::to_string(SEED) +
@@ -132,115 +124,123 @@ void forEachRegion(const std::vector<Family>& of, int count, const Check& check)
 
 TEST(EveryFamily, isNested)
 {
-  forEachRegion(families(), 100, [](const Family& family, const Vector3d& center, double size, RandomBoxes& random) {
-    const Shape& shape = *family.shape;
-    const Box here{ center, center };
-    const double larger = size * (1.0 + random.between(0.0, 2.0));
-    const Vector3d point = pointOf(shape, center, size, random);
-    EXPECT_TRUE(shape.contains(point, here, size));
-    EXPECT_TRUE(shape.contains(point, here, larger));
-    EXPECT_TRUE(shape.boundingBox(center, larger).contains(point));
-    EXPECT_FALSE(shape.misses({ point, point }, center, larger));
-    EXPECT_TRUE(shape.contains(center, here, size)) << "a region holds its center";
-    const Vector3d n = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
-    EXPECT_LE(shape.support(n).at(size), shape.support(n).at(larger));
-    EXPECT_LE(shape.volume(size).lower(), shape.volume(larger).upper());
-    for (const GrowingVector& k : shape.extremePoints())
-      EXPECT_TRUE(family.holds(placeAt(k, size), larger));
-  });
+  forEachRegion(growingFamilies(), 100,
+                [](const GrowingFamily& family, const Vector3d& center, double size, RandomBoxes& random) {
+                  const Shape& shape = *family.shape;
+                  const Box here{ center, center };
+                  const double larger = size * (1.0 + random.between(0.0, 2.0));
+                  const Vector3d point = test::pointOf(shape, center, size, random);
+                  EXPECT_TRUE(shape.contains(point, here, size));
+                  EXPECT_TRUE(shape.contains(point, here, larger));
+                  EXPECT_TRUE(shape.boundingBox(center, larger).contains(point));
+                  EXPECT_FALSE(shape.misses({ point, point }, center, larger));
+                  EXPECT_TRUE(shape.contains(center, here, size)) << "a region holds its center";
+                  const Vector3d n = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
+                  EXPECT_LE(shape.support(n).at(size), shape.support(n).at(larger));
+                  EXPECT_LE(shape.volume(size).lower(), shape.volume(larger).upper());
+                  for (const GrowingVector& k : shape.extremePoints())
+                    EXPECT_TRUE(family.holds(placeAt(k, size), larger));
+                });
 }
 
 TEST(EveryFamily, holdsWhatItsDefinitionSays)
 {
-  forEachRegion(families(), 300, [](const Family& family, const Vector3d& center, double size, RandomBoxes& random) {
-    const Shape& shape = *family.shape;
-    const Box bounds = shape.boundingBox(center, size);
-    const Vector3d more = Vector3d::Constant(0.1 * (bounds.upper - bounds.lower).maxCoeff());
-    const Vector3d anywhere = random.pointIn({ bounds.lower - more, bounds.upper + more });
-    const bool holds = family.holds(offsetOf(anywhere, center), size);
-    EXPECT_TRUE(holds || !shape.contains(anywhere, { center, center }, size));
-    EXPECT_TRUE(!holds || !shape.misses({ anywhere, anywhere }, center, size));
-    EXPECT_TRUE(!holds || bounds.contains(anywhere));
-    const Vector3d inside = pointOf(shape, center, size, random);
-    EXPECT_TRUE(family.holds(offsetOf(inside, center), size)) << inside.transpose();
-    const auto place = shape.placeOf(inside - center, size);
-    ASSERT_TRUE(place);
-    EXPECT_NEAR((place->at(size) - (inside - center)).norm(), 0.0, 1e-11 * (1.0 + size));
-    for (const double other : { size, 0.0, 1e-9, 0.3, 5.0 })
-    {
-      EXPECT_TRUE(family.holds(placeAt(*place, other), other)) << other;
-      for (const GrowingVector& k : shape.extremePoints())
-        EXPECT_TRUE(family.holds(placeAt(k, other), other)) << other;
-    }
-  });
+  forEachRegion(growingFamilies(), 300,
+                [](const GrowingFamily& family, const Vector3d& center, double size, RandomBoxes& random) {
+                  const Shape& shape = *family.shape;
+                  const Box bounds = shape.boundingBox(center, size);
+                  const Vector3d more = Vector3d::Constant(0.1 * (bounds.upper - bounds.lower).maxCoeff());
+                  const Vector3d anywhere = random.pointIn({ bounds.lower - more, bounds.upper + more });
+                  const bool holds = family.holds(offsetOf(anywhere, center), size);
+                  EXPECT_TRUE(holds || !shape.contains(anywhere, { center, center }, size));
+                  EXPECT_TRUE(!holds || !shape.misses({ anywhere, anywhere }, center, size));
+                  EXPECT_TRUE(!holds || bounds.contains(anywhere));
+                  const Vector3d inside = test::pointOf(shape, center, size, random);
+                  EXPECT_TRUE(family.holds(offsetOf(inside, center), size)) << inside.transpose();
+                  const auto place = shape.placeOf(inside - center, size);
+                  ASSERT_TRUE(place);
+                  EXPECT_NEAR((place->at(size) - (inside - center)).norm(), 0.0, 1e-11 * (1.0 + size));
+                  for (const double other : { size, 0.0, 1e-9, 0.3, 5.0 })
+                  {
+                    EXPECT_TRUE(family.holds(placeAt(*place, other), other)) << other;
+                    for (const GrowingVector& k : shape.extremePoints())
+                      EXPECT_TRUE(family.holds(placeAt(k, other), other)) << other;
+                  }
+                });
 }
 
 TEST(EveryFamily, hasItsSupportsHalfSpacesAndCircles)
 {
-  forEachRegion(families(), 100, [](const Family& family, const Vector3d& center, double size, RandomBoxes& random) {
-    const Shape& shape = *family.shape;
-    const Vector3d n = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
-    const Interval support = shape.support(enclose(n)).at(size);
-    EXPECT_NEAR(shape.support(n).at(size), support.mid(), 1e-14 * (1.0 + size));
-    const Offset offset = offsetOf(pointOf(shape, center, size, random), center);
-    EXPECT_TRUE(dotOf(n, offset) <= support.upper());
-    const Vector3d far = center + 1e3 * n;
-    EXPECT_NEAR(n.dot(shape.nearest(far, center, size) - center), support.mid(), 1e-2 * (1.0 + size) * (1.0 + size));
-    const Vector3d elsewhere = random.pointIn({ Vector3d::Constant(-3.0), Vector3d::Constant(3.0) });
-    const HalfSpace half = shape.halfSpace({ elsewhere, elsewhere }, center, size);
-    const Offset absolute = { offset[0] + center.x(), offset[1] + center.y(), offset[2] + center.z() };
-    EXPECT_TRUE(dotOf(half.normal, absolute) <= half.offset);
-    for (const Circle& circle : shape.extremeCircles(center, size))
-      for (const double angle : { 0.3, 2.0, 4.0 })
-      {
-        const Vector3d rim(std::cos(angle), std::sin(angle), 0.0);
-        const Vector3d point = mid(circle.center) + (1.0 - 1e-9) * circle.radius.mid() * rim;
-        EXPECT_TRUE(nearestInside(shape, point, center, size));
-        EXPECT_NEAR((shape.nearest(point, center, size) - point).norm(), 0.0, 1e-14);
-      }
-  });
+  forEachRegion(growingFamilies(), 100,
+                [](const GrowingFamily& family, const Vector3d& center, double size, RandomBoxes& random) {
+                  const Shape& shape = *family.shape;
+                  const Vector3d n = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
+                  const Interval support = shape.support(enclose(n)).at(size);
+                  EXPECT_NEAR(shape.support(n).at(size), support.mid(), 1e-14 * (1.0 + size));
+                  const Offset offset = offsetOf(test::pointOf(shape, center, size, random), center);
+                  EXPECT_TRUE(dotOf(n, offset) <= support.upper());
+                  const Vector3d far = center + 1e3 * n;
+                  EXPECT_NEAR(n.dot(shape.nearest(far, center, size) - center), support.mid(),
+                              1e-2 * (1.0 + size) * (1.0 + size));
+                  const Vector3d elsewhere = random.pointIn({ Vector3d::Constant(-3.0), Vector3d::Constant(3.0) });
+                  const HalfSpace half = shape.halfSpace({ elsewhere, elsewhere }, center, size);
+                  const Offset absolute = { offset[0] + center.x(), offset[1] + center.y(), offset[2] + center.z() };
+                  EXPECT_TRUE(dotOf(half.normal, absolute) <= half.offset);
+                  for (const Circle& circle : shape.extremeCircles(center, size))
+                    for (const double angle : { 0.3, 2.0, 4.0 })
+                    {
+                      const Vector3d rim(std::cos(angle), std::sin(angle), 0.0);
+                      const Vector3d point = mid(circle.center) + (1.0 - 1e-9) * circle.radius.mid() * rim;
+                      EXPECT_TRUE(nearestInside(shape, point, center, size));
+                      EXPECT_NEAR((shape.nearest(point, center, size) - point).norm(), 0.0, 1e-14);
+                    }
+                });
 }
 
 TEST(EveryFamily, avoidsPointsWhereItSaysSo)
 {
   int said = 0;
-  forEachRegion(families(), 300, [&](const Family& family, const Vector3d& center, double size, RandomBoxes& random) {
-    const Shape& shape = *family.shape;
-    const double width = random.between(0.0, 0.3) * size;
-    const Box centers{ center.array() - width, center.array() + width };
-    const Vector3d point = pointOf(shape, center, 0.9 * size, random);
-    const auto form = shape.avoidance(point, centers, size);
-    if (!form)
-      return;
-    ++said;
-    const Vector3d other = random.pointIn(centers);
-    double value = form->center + form->radius;
-    for (const int axis : { 0, 1, 2 })
-      value += form->gradient[static_cast<std::size_t>(axis)] * (other[axis] - center[axis]) / std::max(width, 1e-300);
-    EXPECT_TRUE(family.holds(offsetOf(point, other), size) || value >= -1e-12) << "the region avoids the point";
-  });
+  forEachRegion(growingFamilies(), 300,
+                [&](const GrowingFamily& family, const Vector3d& center, double size, RandomBoxes& random) {
+                  const Shape& shape = *family.shape;
+                  const double width = random.between(0.0, 0.3) * size;
+                  const Box centers{ center.array() - width, center.array() + width };
+                  const Vector3d point = test::pointOf(shape, center, 0.9 * size, random);
+                  const auto form = shape.avoidance(point, centers, size);
+                  if (!form)
+                    return;
+                  ++said;
+                  const Vector3d other = random.pointIn(centers);
+                  double value = form->center + form->radius;
+                  for (const int axis : { 0, 1, 2 })
+                    value += form->gradient[static_cast<std::size_t>(axis)] * (other[axis] - center[axis]) /
+                             std::max(width, 1e-300);
+                  EXPECT_TRUE(family.holds(offsetOf(point, other), size) || value >= -1e-12)
+                      << "the region avoids the point";
+                });
   EXPECT_GT(said, 100);
 }
 
 TEST(EveryFamily, isLeftThroughTheNearestSide)
 {
-  forEachRegion(families(), 100, [](const Family& family, const Vector3d& center, double size, RandomBoxes& random) {
-    const Shape& shape = *family.shape;
-    if (shape.name() == "octahedron")
-      return;  // any side of it does
-    const Vector3d point = center + 0.9 * (pointOf(shape, center, size, random) - center);
-    const Vector3d normal = shape.exit(point, center, size);
-    const double depth = shape.support(normal).at(size) - normal.dot(point - center);
-    EXPECT_NEAR(normal.norm(), 1.0, 1e-15);
-    EXPECT_GE(depth, -1e-15);
-    const Vector3d thickness = shape.halfExtents().at(size);
-    for (const int axis : { 0, 1, 2 })
-      for (const Vector3d& side : { Vector3d(Vector3d::Unit(axis)), Vector3d(-Vector3d::Unit(axis)) })
-      {
-        const double way = shape.support(side).at(size) - side.dot(point - center);
-        EXPECT_TRUE(thickness[axis] == 0.0 || depth <= way * (1.0 + 1e-12) + 1e-15) << side.transpose();
-      }
-  });
+  forEachRegion(growingFamilies(), 100,
+                [](const GrowingFamily& family, const Vector3d& center, double size, RandomBoxes& random) {
+                  const Shape& shape = *family.shape;
+                  if (shape.name() == "octahedron")
+                    return;  // any side of it does
+                  const Vector3d point = center + 0.9 * (test::pointOf(shape, center, size, random) - center);
+                  const Vector3d normal = shape.exit(point, center, size);
+                  const double depth = shape.support(normal).at(size) - normal.dot(point - center);
+                  EXPECT_NEAR(normal.norm(), 1.0, 1e-15);
+                  EXPECT_GE(depth, -1e-15);
+                  const Vector3d thickness = shape.halfExtents().at(size);
+                  for (const int axis : { 0, 1, 2 })
+                    for (const Vector3d& side : { Vector3d(Vector3d::Unit(axis)), Vector3d(-Vector3d::Unit(axis)) })
+                    {
+                      const double way = shape.support(side).at(size) - side.dot(point - center);
+                      EXPECT_TRUE(thickness[axis] == 0.0 || depth <= way * (1.0 + 1e-12) + 1e-15) << side.transpose();
+                    }
+                });
 }
 
 TEST(GivenMeasures, volumesDimensionsAndNames)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/octahedron.h"
+#include "support/body_points.h"
 
 #include <gtest/gtest.h>
 
@@ -19,11 +20,6 @@ namespace
 {
 using test::SEED;
 
-Eigen::Vector3d pointOf(const Shape& shape, const Eigen::Vector3d& center, double size, test::RandomBoxes& random)
-{
-  const Eigen::Vector3d far = random.pointIn(shape.boundingBox(center, size));
-  return nearestInside(shape, far, center, size).value_or(center);
-}
 }  // namespace
 
 TEST(Octahedron, isNotTakenForItsBoundingBox)
@@ -42,7 +38,8 @@ TEST(Octahedron, isNotTakenForItsBoundingBox)
   test::RandomBoxes random(SEED);
   const test::Octahedron shape;
   for (int k = 0; k < test::cases(300); ++k)
-    EXPECT_TRUE(oracle.isGood(pointOf(shape, region.center, region.size, random))) << "seed " << SEED << ", case " << k;
+    EXPECT_TRUE(oracle.isGood(test::pointOf(shape, region.center, region.size, random)))
+        << "seed " << SEED << ", case " << k;
   const BoxTest test(orthoglide(), Criterion());
   const Box around{ region.center.array() - 0.05, region.center.array() + 0.05 };
   for (int k = 0; k < test::cases(30); ++k)
@@ -72,7 +69,7 @@ TEST(Octahedron, containmentAndJointRangesAgreeWithTheOracle)
       const auto ranges = jointRanges(machine, shape, center, size);
       for (int sample = 0; sample < 10; ++sample)
       {
-        const Eigen::Vector3d p = pointOf(shape, center, size, random);
+        const Eigen::Vector3d p = test::pointOf(shape, center, size, random);
         EXPECT_TRUE(oracle.isGood(p)) << machine.name() << ", seed " << SEED << ", case " << k;
         for (int leg = 0; leg < 3; ++leg)
         {

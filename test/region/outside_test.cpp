@@ -8,6 +8,7 @@
 #include "pkm_workspace/machine/frame.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "support/body_points.h"
 #include "support/cases.h"
 #include "support/machines.h"
 #include "support/oracle.h"
@@ -44,13 +45,6 @@ private:
   Machine machine_;
   Oracle oracle_;
 };
-
-/// A point of c + K(h), on its surface more often than not.
-Vector3d pointOf(const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
-{
-  const Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
-  return nearestInside(shape, far, center, size).value_or(center);
-}
 
 /// Whether a bad point of c + K(h) is found: the extreme points first, others afterwards.
 bool hasBadPoint(const Judge& judge, const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)

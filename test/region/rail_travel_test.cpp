@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "region/parallel_rails.h"
+#include "support/body_points.h"
 #include "support/cases.h"
 #include "support/oracle.h"
 
@@ -29,12 +30,6 @@ void expectTheSame(const Machine& machine, const RegionQuery& query)
   EXPECT_LE(region.boxes, 2 * general.boxes + 32) << machine.name() << ", " << query.shape->name();
 }
 
-Vector3d extremePointOf(const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
-{
-  const Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
-  return nearestInside(shape, far, center, size).value_or(center);
-}
-
 bool hasBadPoint(const Oracle& oracle, const Shape& shape, const Vector3d& center, double size, RandomBoxes& random)
 {
   for (const Vector3d& point : pointsOf(shape.extremePoints(), center, size))
@@ -49,7 +44,7 @@ bool hasBadPoint(const Oracle& oracle, const Shape& shape, const Vector3d& cente
         return true;
     }
   for (int k = 0; k < 3000; ++k)
-    if (!oracle.isGood(extremePointOf(shape, center, size, random)))
+    if (!oracle.isGood(pointOf(shape, center, size, random)))
       return true;
   return false;
 }
@@ -63,7 +58,7 @@ void expectHoldsFromOutside(const Machine& machine, const RegionQuery& query)
   RandomBoxes random(SEED);
   for (int k = 0; k < cases(60); ++k)
   {
-    const Vector3d point = extremePointOf(*region.shape, region.center, region.size, random);
+    const Vector3d point = pointOf(*region.shape, region.center, region.size, random);
     ASSERT_TRUE(oracle.isGood(point)) << "case " << k << ", (" << point.transpose() << ") m";
   }
   const double beyond = region.size_upper_bound * (1.0 + 1e-9);
@@ -162,7 +157,7 @@ TEST(RailTravel, limitsOnOneSideCostNothing)
       const Oracle oracle(machine, query.criterion);
       RandomBoxes random(SEED);
       for (int k = 0; k < cases(100); ++k)
-        EXPECT_TRUE(oracle.isGood(extremePointOf(*query.shape, limited.center, limited.size, random)));
+        EXPECT_TRUE(oracle.isGood(pointOf(*query.shape, limited.center, limited.size, random)));
       query.criterion.joint_limits = false;
       const LargestRegion free = expectProven(machine, query);
       EXPECT_EQ(limited.boxes, free.boxes);

@@ -169,9 +169,8 @@ private:
 std::map<Closing, int> expectProofs(const Machine& machine, const Criterion& criterion, const ShapePtr& shape,
                                     double accuracy = 1e-2)
 {
-  constexpr unsigned seed = 20261127;
-  ::testing::Test::RecordProperty("seed", static_cast<int>(seed));
-  Random random(seed);
+  ::testing::Test::RecordProperty("seed", static_cast<int>(SEED));
+  Random random(SEED);
   std::map<Closing, int> counts;
   for (const ClosedBox& closed : closedBoxes(machine, criterion, shape, accuracy))
   {

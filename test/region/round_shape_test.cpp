@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "support/body_points.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -21,13 +22,6 @@ using Exact = boost::multiprecision::cpp_bin_float_100;
 std::vector<ShapePtr> roundShapes()
 {
   return { makeSphere(), makeDisc(), makeCylinder(0.5), makeCylinder(3.0) };
-}
-
-/// A point near the surface of c + K(h) more often than not.
-Eigen::Vector3d pointOfRound(const Shape& shape, const Eigen::Vector3d& center, double size, test::RandomBoxes& random)
-{
-  const Eigen::Vector3d far = random.pointIn(shape.boundingBox(center, 1.5 * size));
-  return nearestInside(shape, far, center, size).value_or(center);
 }
 
 LargestRegion solve(const Machine& machine, const ShapePtr& shape, double accuracy)
@@ -77,7 +71,7 @@ TEST(RoundShapes, certifiedRegionsAreGoodAndLargerOnesAreNot)
       const test::Oracle oracle(machine, Criterion());
       test::RandomBoxes random(SEED);
       for (int k = 0; k < test::cases(300); ++k)
-        EXPECT_TRUE(oracle.isGood(pointOfRound(*shape, region.center, region.size, random)))
+        EXPECT_TRUE(oracle.isGood(test::pointOf(*shape, region.center, region.size, random)))
             << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
       const Box around{ region.center.array() - 0.05, region.center.array() + 0.05 };
       for (int k = 0; k < test::cases(50); ++k)
@@ -108,7 +102,7 @@ TEST(RoundShapes, containmentAgreesWithTheOracle)
         EXPECT_FALSE(result.bad_point && oracle.isGood(*result.bad_point))
             << machine.name() << ", seed " << SEED << ", case " << k;
         for (int sample = 0; sample < 10 && !result.bad_point; ++sample)
-          EXPECT_TRUE(oracle.isGood(pointOfRound(*shape, center, size, random)))
+          EXPECT_TRUE(oracle.isGood(test::pointOf(*shape, center, size, random)))
               << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", case " << k;
       }
     }
@@ -125,7 +119,7 @@ TEST(RoundShapes, halfSpacesAndBoundsHoldEveryPoint)
       const double size = random.between(0.1, 2.0);
       const Eigen::Vector3d elsewhere = random.pointIn(space);
       const HalfSpace half = shape->halfSpace(Box{ elsewhere, elsewhere }, center, size);
-      const Eigen::Vector3d point = pointOfRound(*shape, center, size, random);
+      const Eigen::Vector3d point = test::pointOf(*shape, center, size, random);
       EXPECT_TRUE(shape->contains(point, Box{ center, center }, size));
       Exact along = 0;
       for (int axis = 0; axis < 3; ++axis)
@@ -149,7 +143,7 @@ TEST(RoundShapes, pointsOfASphereAreWithinItsRadiusExactly)
     const Eigen::Vector3d point = random.pointIn(space);
     const bool contained = sphere->contains(point, Box{ Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() }, 1.0);
     EXPECT_EQ(contained, isInRegion(point, Eigen::Vector3d::Zero(), 1.0)) << "seed " << SEED << ", case " << k;
-    EXPECT_TRUE(isInRegion(pointOfRound(*sphere, point, 0.7, random), point, 0.7));
+    EXPECT_TRUE(isInRegion(test::pointOf(*sphere, point, 0.7, random), point, 0.7));
   }
 }
 
@@ -168,7 +162,7 @@ TEST(RoundShapes, jointRangesHoldEveryPointAndAreTight)
         EXPECT_LE(range.stroke.width(), 1e-6 * size) << machine.name() << ' ' << shape->name();
         for (int k = 0; k < test::cases(50); ++k)
         {
-          const Eigen::Vector3d point = pointOfRound(*shape, machine.zero(), size, random);
+          const Eigen::Vector3d point = test::pointOf(*shape, machine.zero(), size, random);
           const test::Oracle::Number rho = oracle.joint(leg, { point.x(), point.y(), point.z() });
           EXPECT_TRUE(range.lower.lower() <= rho && rho <= range.upper.upper())
               << machine.name() << ' ' << shape->name() << ", seed " << SEED << ", point " << point.transpose();

@@ -39,6 +39,8 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
 
 /// What a result holds for. @param accuracy as Hypotheses.msg has it
 Hypotheses toMessage(const Premises& premises, double accuracy);
+/// What the hypotheses say, their criterion canonical.
+Premises fromMessage(const Hypotheses& hypotheses);
 /// What a picture holds for, in two short lines: machine and geometry, version, criterion, accuracy.
 /// @param precision what the accuracy [m] is called; empty: it is not told
 std::string captionOf(const Premises& premises, const std::string& precision, double accuracy);
