@@ -233,9 +233,11 @@ private:
 
   bool isBetween(const Eigen::Vector3d& point, const Box& centers, double size) const
   {
+    if (round_ == 3)
+      return true;
     const Interval height = Interval(point.z()) - centers.side(2);
-    return round_ == 3 || (height.upper() <= encloseAt(heights_.upper, size).lower() &&
-                           height.lower() >= encloseAt(heights_.lower, size).upper());
+    return height.upper() <= encloseAt(heights_.upper, size).lower() &&
+           height.lower() >= encloseAt(heights_.lower, size).upper();
   }
 
   Interval squaredDistance(const Eigen::Vector3d& point, const Box& centers) const

@@ -80,9 +80,16 @@ std::optional<Interval> Shape::ballRadius(double) const
 
 Box Shape::boundingBox(const Eigen::Vector3d& center, double size) const
 {
-  const IntervalVector first = enclose(center) + encloseAt(lower(), size);
-  const IntervalVector last = enclose(center) + encloseAt(upper(), size);
-  return pkm_workspace::boundingBox({ hull(first[0], last[0]), hull(first[1], last[1]), hull(first[2], last[2]) });
+  const GrowingVector least = lower();
+  const GrowingVector most = upper();
+  const auto side = [&](int k) {
+    const Growing<double> first{ least.fixed[k], least.per_size[k] };
+    const Growing<double> last{ most.fixed[k], most.per_size[k] };
+    const bool is_symmetric = first.fixed == -last.fixed && first.per_size == -last.per_size;
+    const Interval reach = encloseAt(last, size);
+    return Interval(center[k]) + hull(is_symmetric ? -reach : encloseAt(first, size), reach);
+  };
+  return pkm_workspace::boundingBox({ side(0), side(1), side(2) });
 }
 
 std::optional<GrowingVector> Shape::placeOf(const Eigen::Vector3d& offset, double size) const

@@ -39,14 +39,17 @@ inline std::vector<Eigen::Vector3d> pointsOf(const std::vector<GrowingVector>& p
   return points;
 }
 
+/// Most bodies have only one of the two parts: what is 0 costs no rounding.
 inline Interval encloseAt(const Growing<double>& x, double size)
 {
-  return Interval(x.fixed) + Interval(size) * Interval(x.per_size);
+  const Interval grown = x.per_size == 0.0 ? Interval(0.0) : Interval(size) * Interval(x.per_size);
+  return x.fixed == 0.0 ? grown : Interval(x.fixed) + grown;
 }
 
 inline IntervalVector encloseAt(const GrowingVector& v, double size)
 {
-  return enclose(v.fixed) + Interval(size) * enclose(v.per_size);
+  const auto entry = [&](int k) { return encloseAt(Growing<double>{ v.fixed[k], v.per_size[k] }, size); };
+  return { entry(0), entry(1), entry(2) };
 }
 
 inline GrowingVector operator+(const GrowingVector& a, const GrowingVector& b)
