@@ -216,18 +216,11 @@ const Criterion& accepted(const Criterion& criterion)
   throwProblems(problems);
   return criterion;
 }
-
-int wantedSign(const Machine& machine, Criterion::Aspect aspect)
-{
-  return aspect == Criterion::Aspect::BOTH  ? 0
-         : aspect == Criterion::Aspect::OWN ? machine.aspect()
-                                            : -machine.aspect();
-}
 }  // namespace
 
 CharacteristicTest::CharacteristicTest(const Machine& machine, const Criterion& criterion)
   : machine_(machine)
-  , aspect_(wantedSign(machine, accepted(criterion).aspect))
+  , aspect_(accepted(criterion).wantedSign(machine.aspect()))
   , sigma_min_(sqr(criterion.leastFactor()))
   , sigma_max_(sqr(criterion.largestFactor()))
 {}

@@ -49,7 +49,7 @@ public:
     }
     model.visit(forms, box, *this);
     if (origins_)
-      noteViolations(beyond);
+      noteViolations(beyond, model.legs(), forms);
   }
 
   static constexpr bool isSettled() { return false; }
@@ -154,13 +154,20 @@ private:
       }
   }
 
-  /// The first leg that is out of reach stands for all forms.
-  void noteViolations(const std::array<Mask, 3>& beyond)
+  /// The first leg whose b^2 is below its floor stands for all forms.
+  void noteViolations(const std::array<Mask, 3>& beyond, const LegModels<Real>& legs, const MachineForms<Real>& forms)
   {
-    for (std::size_t lane = 0; lane < count_; ++lane)
-      for (std::size_t leg = 3; leg-- > 0;)
+    for (std::size_t leg = 3; leg-- > 0;)
+    {
+      const AffineForm<Real> above =
+          scaled(forms.legs[leg].squared_drive + Enclosed<Real>(-legs.floor(leg), Real(0)), 2);
+      for (std::size_t lane = 0; lane < count_; ++lane)
         if (beyond[leg][static_cast<int>(lane)])
+        {
+          results_[lane].form[0] = laneOf(above, static_cast<int>(lane));
           origins_[lane * NecessaryForms::MOST] = { { ConditionKind::REACH, leg }, {}, {} };
+        }
+    }
   }
 
   void note(const Origin& origin, int lane, std::size_t form)

@@ -135,9 +135,8 @@ void PointEvaluator::addValues(const Configuration& there, const PieceMotion& mo
       result.limits.push_back(limit);
   result.condition = intersection(result.psi[2] * inverse(result.psi[0]), Interval(1.0, INF));
   result.det_a = there.det_a;
-  if (criterion.aspect != Criterion::Aspect::BOTH)
+  if (const int sign = criterion.wantedSign(machine_.aspect()))
   {
-    const double sign = criterion.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
     Interval volume = 1.0;
     for (int i = 0; i < 3; ++i)
       volume *= sqrtAboveZero(squaredRow(machine_.enclosed(i)));

@@ -81,7 +81,7 @@ bool CenterTest::addNecessary(std::size_t k)
     return result;
   };
   if (necessary.violated && keeps_reasons_)
-    reason_.terms = { term(0) };
+    reason_.terms = { withForm(term(0), necessary.form[0]) };
   if (necessary.violated)
     return true;
   for (std::size_t form = 0; form < necessary.forms; ++form)
@@ -112,16 +112,20 @@ bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>&
     const CenteredBox<double> there = box.moved(size, place);
     if (!sphere.hasInCone(there))
       continue;
-    excesses_.push_back(sphere.excess(there));
-    within = within || excesses_.back().upper() < 0.0;
-    beyond = beyond || excesses_.back().lower() > 0.0;
+    excesses_.push_back({ place, sphere.excess(there) });
+    within = within || excesses_.back().form.upper() < 0.0;
+    beyond = beyond || excesses_.back().form.lower() > 0.0;
   }
   within = within || (!excesses_.empty() && reachesInto(sphere, box, size));
-  const auto term = [] { return ReasonTerm{ ReasonTerm::Kind::SPHERE }; };
-  for (const AffineForm<double>& excess : excesses_)
-    if ((within && add(-excess, term)) || (beyond && add(excess, term)))
-      return true;
-  return false;
+  return std::any_of(excesses_.begin(), excesses_.end(), [&](const Excess& excess) {
+    const auto term = [&] {
+      ReasonTerm result{ ReasonTerm::Kind::SPHERE };
+      result.place = excess.place;
+      result.point = sphere.center();
+      return result;
+    };
+    return (within && add(-excess.form, term)) || (beyond && add(excess.form, term));
+  });
 }
 
 /// Checks the programme's certificate: a non-negative combination of the forms that is negative on the whole box.

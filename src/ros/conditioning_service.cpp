@@ -10,10 +10,6 @@
 
 namespace pkm_workspace
 {
-namespace
-{
-}  // namespace
-
 ConditioningService::ConditioningService(NodeContext& context)
   : context_(context)
   , service_(

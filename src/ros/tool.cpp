@@ -27,17 +27,9 @@ std::string limitObjection(const Machine& machine, const Configuration& there)
   return text;
 }
 
-/// The sign of det A that a criterion asks for; 0 for any.
-int signOf(Criterion::Aspect aspect, const Machine& machine)
+std::string aspectObjection(const Machine& machine, const Criterion& criterion, const Configuration& there)
 {
-  return aspect == Criterion::Aspect::BOTH  ? 0
-         : aspect == Criterion::Aspect::OWN ? machine.aspect()
-                                            : -machine.aspect();
-}
-
-std::string aspectObjection(const Machine& machine, Criterion::Aspect aspect, const Configuration& there)
-{
-  const int wanted = signOf(aspect, machine);
+  const int wanted = criterion.wantedSign(machine.aspect());
   if (wanted == 0)
     return "";
   const bool fits = wanted > 0 ? there.det_a.certainlyPositive() : there.det_a.certainlyNegative();
@@ -89,7 +81,7 @@ void Tool::follow(const sensor_msgs::JointState& rails)
 int Tool::aspect() const
 {
   const Machine& machine = context_.machine();
-  if (const int asked = signOf(context_.query().criterion.aspect, machine))
+  if (const int asked = context_.query().criterion.wantedSign(machine.aspect()))
     return asked;
   const auto here = configurationAt(machine, state().point);
   return !here || here->det_a.contains(0.0) ? machine.aspect() : here->det_a.certainlyPositive() ? 1 : -1;
@@ -127,7 +119,7 @@ std::string Tool::objectionTo(const Eigen::Vector3d& p) const
     if (!there)
       return "a strut is within rounding of being across its rail (serial singularity)";
     const std::string limits = criterion.joint_limits ? limitObjection(machine, *there) : "";
-    return limits.empty() ? aspectObjection(machine, criterion.aspect, *there) : limits;
+    return limits.empty() ? aspectObjection(machine, criterion, *there) : limits;
   }
   catch (const std::invalid_argument& unreachable)
   {

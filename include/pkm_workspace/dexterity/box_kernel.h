@@ -20,7 +20,8 @@ enum class BoxVerdict : unsigned char
   UNDECIDED,  ///< neither is proved
 };
 
-/// What a necessary form says: of a condition, and by which vectors; of a matrix S it is v^T S v.
+/// What a necessary form says: of a condition, and by which vectors. Of a matrix S it is v^T S v; of a leg's reach b^2
+/// less the least that psi_max leaves it, n^2 / psi_max^2 (or 0).
 struct FormOrigin
 {
   Subject subject;
@@ -63,8 +64,8 @@ public:
   /// that psi_max asks for
   virtual void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
   /// The necessary forms at the centers' box, moved by offset.at(size) for each offset.
-  /// @param origins NecessaryForms::MOST for each offset, of its forms in turn, or the first of the leg that is out of
-  /// reach where they are violated; or nullptr
+  /// @param origins NecessaryForms::MOST for each offset, of its forms in turn; or nullptr. Where they are violated,
+  /// the first form and its origin tell by which leg
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets,
                               std::size_t count, NecessaryForms* results, FormOrigin* origins = nullptr) const = 0;
   /// MachineModel::margin at each of the points [m].

@@ -29,6 +29,9 @@ struct Criterion
     BOTH
   };
 
+  /// The sign of det A that counts, for a machine whose own is that: 1 or -1, or 0 for either.
+  int wantedSign(int own) const { return aspect == Aspect::BOTH ? 0 : aspect == Aspect::OWN ? own : -own; }
+
   Set set = Set::DEXTROUS;
   Aspect aspect = Aspect::OWN;
   double psi_min = 0.5;       ///< least velocity transmission factor, without unit, > 0

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <functional>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -13,7 +13,7 @@ namespace pkm_workspace
 // The kinds of legs there are: a row here and one in leg_forms.h, and the files that sliding_strut.h, .cpp and
 // sliding_strut_forms.h show.
 
-/// What a leg is made of, and the same prepared for its formulas in intervals.
+/// What a leg is made of, and the same prepared for its formulas in intervals, with a member `center`: the c of p - c.
 using LegKind = std::variant<SlidingStrut>;
 using EnclosedLeg = std::variant<EnclosedStrut>;
 

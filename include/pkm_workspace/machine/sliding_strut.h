@@ -51,7 +51,7 @@ EnclosedStrut enclosed(const SlidingStrut& strut);
 
 /// Collects what is wrong with the leg by itself.
 void validate(const SlidingStrut& strut, const std::string& place, Problems& problems);
-/// Its numbers, digit by digit: legs with the same text are the same.
+/// Its numbers, digit by digit: legs with the same text are the same. Other kinds begin with their name.
 std::string exactText(const SlidingStrut& strut);
 /// The same leg in the frame where a point p is R p + t.
 SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation);

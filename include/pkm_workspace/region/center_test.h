@@ -48,6 +48,13 @@ public:
   bool isPromising(const Eigen::Vector3d& center, double size);
 
 private:
+  /// How far a point of the body is beyond a strut sphere.
+  struct Excess
+  {
+    GrowingVector place;
+    AffineForm<double> form;
+  };
+
   std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
   std::optional<Closing> excludesAlone(const Box& centers, double size, const BoxKernel& kernel);
   bool addKnown(const Box& centers, double size);
@@ -67,8 +74,8 @@ private:
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<AffineForm<double>> forms_;
   std::vector<AffineForm<double>> travel_forms_;
-  std::vector<GrowingVector> between_;        ///< points of the family, exactly, between its extreme points
-  std::vector<AffineForm<double>> excesses_;  ///< of the witness points in the cone of a sphere
+  std::vector<GrowingVector> between_;  ///< points of the family, exactly, between its extreme points
+  std::vector<Excess> excesses_;        ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
   const bool keeps_reasons_;
   std::vector<FormOrigin> origins_;  ///< MOST for each witness point

@@ -21,11 +21,11 @@ struct ReasonTerm
   };
 
   Kind kind;
-  GrowingVector place = scaling(Eigen::Vector3d::Zero());    ///< of a condition: the point of the body
+  GrowingVector place = scaling(Eigen::Vector3d::Zero());    ///< of a condition or a sphere: the point of the body
   FormOrigin origin = { { ConditionKind::REACH }, {}, {} };  ///< of a condition: what the form says
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();           ///< of a bad point: itself [m]
-  AffineForm<double> form{};  ///< over the box of centers, without unit; none where a leg is out of reach all over it
-  double weight = 1.0;        ///< >= 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();           ///< of a bad point: itself; of a sphere: its center [m]
+  AffineForm<double> form{};                                 ///< over the box of centers, without unit
+  double weight = 1.0;                                       ///< >= 0
 };
 
 /// Why no center of a box carries a region of a size, nor of a larger one: the sum of the terms' forms, times their

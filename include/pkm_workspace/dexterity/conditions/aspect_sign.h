@@ -19,7 +19,7 @@ public:
   AspectSign(const Machine& machine, const Criterion& criterion)
     : is_asked_(criterion.aspect != Criterion::Aspect::BOTH)
     , is_settled_(criterion.settlesAspect())
-    , sign_(Interval(criterion.aspect == Criterion::Aspect::OTHER ? -machine.aspect() : machine.aspect()))
+    , sign_(Interval(is_asked_ ? criterion.wantedSign(machine.aspect()) : machine.aspect()))
     , meeting_(machine)
   {}
   template <class Other>
@@ -29,7 +29,7 @@ public:
 
   bool isAsked() const { return is_asked_; }
 
-  /// det A [m^3] times the sign that is asked for: positive where the aspect is right.
+  /// det A [m^3] times the sign that is asked for, or the machine's own: positive where the aspect is right.
   AffineForm<Real> form(const MachineForms<Real>& forms) const
   {
     return sign_ * determinant(forms.legs[0].row, forms.legs[1].row, forms.legs[2].row);
