@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/machine/leg_forms.h"
 
 namespace pkm_workspace
 {
@@ -28,15 +28,56 @@ Interval asInterval(const Span<double>& span)
   return { span.lower, span.upper };
 }
 
-Limit atLeast(Kind kind, int leg, const Interval& value, double bound)
+/// Takes in limits.
+class Limits
 {
-  return { kind, leg, value, bound, value - Interval(bound) };
-}
+public:
+  explicit Limits(std::vector<Limit>& limits) : limits_(limits) {}
 
-Limit atMost(Kind kind, int leg, const Interval& value, double bound)
+  void tell(const Limit& limit) { limits_.push_back(limit); }
+  void atLeast(Kind kind, int leg, const Interval& value, double bound)
+  {
+    tell({ kind, leg, value, bound, value - Interval(bound) });
+  }
+  void atMost(Kind kind, int leg, const Interval& value, double bound)
+  {
+    tell({ kind, leg, value, bound, Interval(bound) - value });
+  }
+
+private:
+  std::vector<Limit>& limits_;
+};
+
+/// A point, for the conditions of a criterion to tell their limits there.
+class LimitsAt : public Limits
 {
-  return { kind, leg, value, bound, Interval(bound) - value };
-}
+public:
+  LimitsAt(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point, PointEvaluation& result)
+    : Limits(result.limits), machine_(machine), criterion_(criterion), point_(enclose(point)), result_(result)
+  {}
+
+  const Machine& machine() const { return machine_; }
+  const Criterion& criterion() const { return criterion_; }
+  const IntervalVector& point() const { return point_; }
+  bool hasValues() const { return result_.has_values; }
+  const PointEvaluation& values() const { return result_; }
+
+  template <class... Each>
+  void askAll(const std::tuple<Each...>* /*conditions*/)
+  {
+    (Each::tellLimits(*this), ...);
+    for (const CriterionBound& bound : CRITERION_BOUNDS)
+      if (hasValues() && bound.isAskedBy(criterion_))
+        bound.is_lower ? atLeast(bound.kind, -1, bound.enclose(result_), criterion_.*bound.value)
+                       : atMost(bound.kind, -1, bound.enclose(result_), criterion_.*bound.value);
+  }
+
+private:
+  const Machine& machine_;
+  const Criterion& criterion_;
+  IntervalVector point_;
+  PointEvaluation& result_;
+};
 
 /// The margin without unit, in floating point.
 double relativeMargin(const Limit& limit, double scale)
@@ -59,15 +100,8 @@ double relativeMargin(const Limit& limit, double scale)
 std::vector<Limit> jointLimits(const Machine& machine, const std::array<Interval, 3>& rho)
 {
   std::vector<Limit> found;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Interval& limits = machine.leg(i).limits;
-    const Interval& value = rho[static_cast<std::size_t>(i)];
-    if (limits.lower() > -INF)
-      found.push_back(atLeast(Kind::JOINT_LOWER, i, value, limits.lower()));
-    if (limits.upper() < INF)
-      found.push_back(atMost(Kind::JOINT_UPPER, i, value, limits.upper()));
-  }
+  Limits limits(found);
+  JointLimits<double>::tellLimits(machine, rho, limits);
   return found;
 }
 
@@ -104,57 +138,24 @@ PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const
   piece.points.center = { point.x(), point.y(), point.z() };
   PieceMotion motion;
   reach_test_.kernel().look(&piece, 1, &result.within_reach, &motion);
-  addReach(point, result);
   const auto there = configurationAt(machine_, point);
   result.has_values = there && motion.joint[0].upper < INF;
   if (result.has_values)
     addValues(*there, motion, result);
+  LimitsAt(machine_, test_.model().criterion(), point, result).askAll(static_cast<Conditions<double>*>(nullptr));
   return result;
 }
 
-void PointEvaluator::addReach(const Eigen::Vector3d& point, PointEvaluation& result) const
+void PointEvaluator::addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    const LegReach reach = reachAt(machine_.enclosed(i), enclose(point));
-    result.limits.push_back({ Kind::REACH, i, reach.value, reach.most.mid(), reach.most - reach.value });
-  }
-}
-
-void PointEvaluator::addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result) const
-{
-  const Criterion& criterion = test_.model().criterion();
   const Interval not_negative(0.0, INF);
   for (std::size_t i = 0; i < 3; ++i)
   {
     result.psi[i] = intersection(asInterval(motion.psi[i]), not_negative);
     result.rho[i] = intersection(asInterval(motion.joint[i]), there.rho[i]);
   }
-  if (criterion.joint_limits)
-    for (const Limit& limit : jointLimits(machine_, result.rho))
-      result.limits.push_back(limit);
   result.condition = intersection(result.psi[2] * inverse(result.psi[0]), Interval(1.0, INF));
   result.det_a = there.det_a;
-  if (const int sign = criterion.wantedSign(machine_.aspect()))
-  {
-    Interval volume = 1.0;
-    for (int i = 0; i < 3; ++i)
-      volume *= sqrtAboveZero(squaredRow(machine_.enclosed(i)));
-    const Interval value = Interval(sign) * there.det_a / volume;
-    result.limits.push_back(atLeast(Kind::ASPECT, -1, value, 0.0));
-  }
-  addFactors(result);
-}
-
-void PointEvaluator::addFactors(PointEvaluation& result) const
-{
-  const Criterion& criterion = test_.model().criterion();
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    if (bound.isAskedBy(criterion))
-    {
-      const auto limit = bound.is_lower ? atLeast : atMost;
-      result.limits.push_back(limit(bound.kind, -1, bound.enclose(result), criterion.*bound.value));
-    }
 }
 
 PointEvaluation evaluatePoint(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point)

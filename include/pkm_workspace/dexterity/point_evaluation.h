@@ -61,9 +61,7 @@ public:
   PointEvaluation operator()(const Eigen::Vector3d& point) const;
 
 private:
-  void addReach(const Eigen::Vector3d& point, PointEvaluation& result) const;
-  void addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result) const;
-  void addFactors(PointEvaluation& result) const;
+  static void addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result);
 
   Machine machine_;
   BoxTest test_;

@@ -15,6 +15,18 @@ class AspectSign
 public:
   static constexpr bool BOUNDS_FACTORS = false;
   static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  /// det A over the lengths of its rows.
+  template <class At>
+  static void tellLimits(At& at)
+  {
+    const int sign = at.criterion().wantedSign(at.machine().aspect());
+    if (sign == 0 || !at.hasValues())
+      return;
+    Interval volume = 1.0;
+    for (int leg = 0; leg < 3; ++leg)
+      volume *= sqrtAboveZero(squaredRow(at.machine().enclosed(leg)));
+    at.atLeast(ConditionKind::ASPECT, -1, Interval(sign) * at.values().det_a / volume, 0.0);
+  }
 
   AspectSign(const Machine& machine, const Criterion& criterion)
     : is_asked_(criterion.aspect != Criterion::Aspect::BOTH)

@@ -16,6 +16,9 @@ class ConditionNumber
 public:
   static constexpr bool BOUNDS_FACTORS = true;
   static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  template <class At>
+  static void tellLimits(At& /*at*/)
+  {}
 
   ConditionNumber(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsCondition())

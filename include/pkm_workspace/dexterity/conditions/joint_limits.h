@@ -13,6 +13,26 @@ class JointLimits
 public:
   static constexpr bool BOUNDS_FACTORS = false;
   static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  template <class At>
+  static void tellLimits(At& at)
+  {
+    if (at.criterion().joint_limits && at.hasValues())
+      tellLimits(at.machine(), at.values().rho, at);
+  }
+  /// Whether a criterion asks for them or not. @param rho joint values [m]
+  template <class Teller>
+  static void tellLimits(const Machine& machine, const std::array<Interval, 3>& rho, Teller& teller)
+  {
+    for (int leg = 0; leg < 3; ++leg)
+    {
+      const Interval& limits = machine.leg(leg).limits;
+      const Interval& value = rho[static_cast<std::size_t>(leg)];
+      if (std::isfinite(limits.lower()))
+        teller.atLeast(ConditionKind::JOINT_LOWER, leg, value, limits.lower());
+      if (std::isfinite(limits.upper()))
+        teller.atMost(ConditionKind::JOINT_UPPER, leg, value, limits.upper());
+    }
+  }
 
   JointLimits(const Machine& machine, const Criterion& criterion)
   {

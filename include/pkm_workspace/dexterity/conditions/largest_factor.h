@@ -17,6 +17,9 @@ public:
   {
     return criterion.boundsAbove() ? std::make_optional(criterion.largestFactor()) : std::nullopt;
   }
+  template <class At>
+  static void tellLimits(At& /*at*/)
+  {}
 
   LargestFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsAbove())

@@ -14,6 +14,9 @@ class LeastFactor
 public:
   static constexpr bool BOUNDS_FACTORS = true;
   static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  template <class At>
+  static void tellLimits(At& /*at*/)
+  {}
 
   LeastFactor(const Machine& /*machine*/, const Criterion& criterion)
     : is_asked_(criterion.boundsBelow())
