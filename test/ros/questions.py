@@ -24,6 +24,7 @@ REACHABLE = CriterionRequest(set=CriterionRequest.REACHABLE, aspect=CriterionReq
 ONE_ASPECT = CriterionRequest(set=CriterionRequest.REACHABLE, aspect=CriterionRequest.OWN, joint_limits=OFF)
 NARROW = CriterionRequest(psi_min=0.9999, psi_max=1.0001)
 WIDE = CriterionRequest(psi_min=0.7, psi_max=1.4)
+LONG = CriterionRequest(psi_min=0.05, psi_max=20, joint_limits=OFF)
 SEED = 20261127
 STATUS = ("none", "there", "undecided")
 
@@ -102,7 +103,7 @@ class Questions:
             if feedback.size > 0 and len(told) > 1:
                 enough.set()
 
-        goal = node.client.find_region(note, shape="sphere", accuracy=1e-14 * node.span)
+        goal = node.client.find_region(note, shape="sphere", accuracy=1e-14 * node.span, criterion=LONG)
         wait_until(lambda: enough.is_set() or goal.ended.is_set())
         goal.cancel_goal()
         self.assertTrue(goal.wait_for_result(PATIENCE))

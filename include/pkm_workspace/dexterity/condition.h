@@ -66,7 +66,7 @@ constexpr double NO_MARGIN = 1e300;
 //     scalarOr(form, power, exist, alternative())  as scalar; or all of the alternative forms are positive
 //   visitScalar(place, visitor)  of conditions that bound no factors, the same in scalar() only
 //   static steepest(criterion)  encloses the largest |n_i| / b_i that it allows in any leg, or nothing: bounds follow
-//   static tellLimits(at)  tells its limits at a point, with at.atLeast() and the like, where they are enclosed by hand;
-//   those of numbers that a criterion bounds are enclosed by their rows in criterion_bounds.h
+//   static tellLimits(at)  tells its limits at a point, by at.atLeast() and the like; none where it is about a number
+//   that a criterion bounds, which its row in criterion_bounds.h encloses
 //   margin(place)  how far the point is within the condition, without unit, in floating point
 }  // namespace pkm_workspace
