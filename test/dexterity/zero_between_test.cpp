@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "pkm_workspace/interval/rounding.h"
+
 namespace pkm_workspace
 {
 namespace test
