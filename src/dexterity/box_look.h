@@ -42,7 +42,8 @@ public:
 
   /// Near a double zero the alternative tells more; boxes alone do well without.
   template <class Alternative>
-  void scalarOr(const AffineForm<Real>& form, int /*power*/, bool exists, const Alternative& alternative)
+  void scalarOr(const Subject& /*subject*/, const AffineForm<Real>& form, int /*power*/, bool exists,
+                const Alternative& alternative)
   {
     const Mask before = inside_;
     require(form);
@@ -65,7 +66,7 @@ public:
 
   /// One point settles the sign; not within a half-space, where it may lie beyond.
   template <class Form>
-  void oneSigned(const Enclosed<Real>& center, const Form& form, int /*power*/)
+  void oneSigned(const Subject& /*subject*/, const Enclosed<Real>& center, const Form& form, int /*power*/)
   {
     if (question_.is_limited)
       return;

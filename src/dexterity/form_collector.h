@@ -61,9 +61,10 @@ public:
   }
 
   template <class Alternative>
-  void scalarOr(const AffineForm<Real>& form, int power, bool /*exists*/, const Alternative& /*alternative*/)
+  void scalarOr(const Subject& subject, const AffineForm<Real>& form, int power, bool /*exists*/,
+                const Alternative& /*alternative*/)
   {
-    scalar({ ConditionKind::ASPECT }, form, power);
+    scalar(subject, form, power);
   }
 
   void necessary(const Subject& subject, const PlainVector<Real>& u, const PlainVector<Real>& v,
@@ -74,11 +75,11 @@ public:
 
   /// The form helps only where its sign is wrong.
   template <class Form>
-  void oneSigned(const Enclosed<Real>& center, const Form& form, int power)
+  void oneSigned(const Subject& subject, const Enclosed<Real>& center, const Form& form, int power)
   {
     const Mask useful = center.lower() < Real(0.0);
     if (any(useful))
-      append(scaled(form(), power), useful, { { ConditionKind::ASPECT }, {}, {} });
+      append(scaled(form(), power), useful, { subject, {}, {} });
   }
 
   void matrix(const Subject& subject, SymmetricForms<Real> matrix)

@@ -36,9 +36,9 @@ std::optional<std::array<Vector3d, 2>> meet(const Matrix3d& centers, const Vecto
 }
 
 /// @return nothing where a leg does not reach
-std::optional<std::array<LegNumbers, 3>> legsAt(const Machine& machine, const Vector3d& p)
+std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Vector3d& p)
 {
-  std::array<LegNumbers, 3> legs;
+  std::array<LegAtPoint, 3> legs;
   for (int i = 0; i < 3; ++i)
     if (!visitLeg([&](const auto& kind) { return evaluateNear(kind, p, legs[static_cast<std::size_t>(i)]); },
                   machine.enclosed(i)))
@@ -114,7 +114,7 @@ std::optional<Jacobians> jacobians(const Machine& machine, const Vector3d& p)
   Jacobians result;
   for (int i = 0; i < 3; ++i)
   {
-    const LegNumbers& leg = (*legs)[static_cast<std::size_t>(i)];
+    const LegAtPoint& leg = (*legs)[static_cast<std::size_t>(i)];
     result.a.row(i) = Eigen::Map<const Eigen::RowVector3d>(leg.state.row.data());
     result.b[i] = leg.state.drive;
     if (result.b[i] == 0.0)

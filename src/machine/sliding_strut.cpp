@@ -156,7 +156,7 @@ Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width)
 }
 
 /// The root of L^2 - |q|^2 is taken of (L - |q|) (L + |q|).
-bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegNumbers& leg)
+bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegAtPoint& leg)
 {
   const PlainStrut<double> constants = plain(ofForms<double>(strut));
   const PlainVector<double> point = { p.x(), p.y(), p.z() };

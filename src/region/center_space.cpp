@@ -2,6 +2,7 @@
 #include "pkm_workspace/region/center_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pkm_workspace/dexterity/unbounded.h"
@@ -62,17 +63,18 @@ Interval lengthWithin(const OuterBound& outer, const IntervalVector& v)
 double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
 {
   SizeBound bound;
+  const std::optional<Interval> slope = steepest(query.criterion);
+  const std::array<OuterBound, 3> reach = { outerBound(machine.enclosed(0), slope),
+                                            outerBound(machine.enclosed(1), slope),
+                                            outerBound(machine.enclosed(2), slope) };
   const std::vector<GrowingVector> points = query.shape->extremePoints();
   for (std::size_t first = 0; first < points.size(); ++first)
     for (std::size_t second = 0; second < first; ++second)
     {
       const IntervalVector fixed = enclose(points[first].fixed) - enclose(points[second].fixed);
       const IntervalVector per_size = enclose(points[first].per_size) - enclose(points[second].per_size);
-      for (int i = 0; i < 3; ++i)
-      {
-        const OuterBound outer = outerBound(machine.enclosed(i), steepest(query.criterion));
+      for (const OuterBound& outer : reach)
         bound.take(Interval(2.0) * outer.radius, lengthWithin(outer, fixed), lengthWithin(outer, per_size));
-      }
       for (std::size_t k = 0; k < 3; ++k)
         if (std::isfinite(bounds.upper[static_cast<int>(k)] - bounds.lower[static_cast<int>(k)]))
           bound.take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),

@@ -40,15 +40,16 @@ IntervalVector sidesOf(const Shape& shape, double size)
 Interval overhang(const Shape& shape, const Box& bounds, double size)
 {
   Interval sum;
-  for (const std::size_t axis : { 0, 1, 2 })
+  int axis = 0;
+  for (const Interval& side : sidesOf(shape, size))
   {
-    const Interval side = sidesOf(shape, size)[axis];
-    const int k = static_cast<int>(axis);
     if (side.lower() > 0.0)
-      sum += ((Interval(bounds.upper[k]) - Interval(bounds.lower[k])) - side) / side;
+      sum += ((Interval(bounds.upper[axis]) - Interval(bounds.lower[axis])) - side) / side;
+    ++axis;
   }
   return sum;
 }
+
 /// Of a box; of a flat one, the area.
 Interval measureOf(const Shape& shape, double size)
 {

@@ -176,7 +176,7 @@ Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::
   const double reach = std::max(0.5 * (range.upper - range.lower) + 50.0 * unit, 550.0 * unit);
   const double end = 0.5 * (range.lower + range.upper) + outwards * reach;
   const double on_rail = std::min(std::max(end, leg.limits.lower()), leg.limits.upper());
-  const Eigen::Vector3d axis = (drivenPoint(leg, range.upper) - drivenPoint(leg, range.lower)).normalized();
+  const Eigen::Vector3d axis = (drivenPoint(leg, on_rail + unit) - drivenPoint(leg, on_rail)).normalized();
   const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ() - axis.z() * axis;
   return drivenPoint(leg, on_rail + outwards * 210.0 * unit) + 140.0 * unit * upwards;
 }

@@ -218,7 +218,12 @@ TEST(Reason, provesThatNoCenterOfTheBoxCarriesARegion)
 TEST(Reason, provesItOfCrookedMachines)
 {
   for (const unsigned seed : { 1, 3, 4 })
-    expectProofs(crooked(seed), Criterion(), seed == 1 ? makeSphere() : makeCube());
+  {
+    const std::map<Closing, int> counts =
+        expectProofs(crooked(seed), Criterion(), seed == 1 ? makeSphere() : makeCube());
+    EXPECT_GT(counts.at(Closing::FORM), 20) << "seed " << seed;
+    EXPECT_GT(counts.at(Closing::COMBINATION), 20) << "seed " << seed;
+  }
 }
 
 TEST(Reason, provesItForTheConditionNumber)

@@ -16,7 +16,7 @@ struct LegState
 };
 
 /// A leg at a point, in floating point.
-struct LegNumbers
+struct LegAtPoint
 {
   LegState<double, PlainVector<double>> state;
   double joint;  ///< q [m]

@@ -77,5 +77,5 @@ inline auto jointOf(const StrutConstants<Constants...>& strut, const Points& p, 
 
 /// The leg in floating point; near the ends of its reach no digits are lost.
 /// @param p tool point [m] @return whether the leg reaches it
-bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegNumbers& leg);
+bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegAtPoint& leg);
 }  // namespace pkm_workspace

@@ -82,9 +82,10 @@ public:
   {
     if (is_asked_ && is_settled_)
       visitor.oneSigned(
-          formAtCenter(place.forms), [&] { return form(place.forms); }, 3);
+          { ConditionKind::ASPECT }, formAtCenter(place.forms), [&] { return form(place.forms); }, 3);
     else if (is_asked_)
-      visitor.scalarOr(form(place.forms), 3, railsMeet(), [&] { return factors(place.forms, place.box); });
+      visitor.scalarOr({ ConditionKind::ASPECT }, form(place.forms), 3, railsMeet(),
+                       [&] { return factors(place.forms, place.box); });
   }
 
   /// As visit(), where no other condition settles the sign.
