@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "node_client.h"
+#include "pkm_workspace/interval/rounding.h"
 
 namespace pkm_workspace
 {

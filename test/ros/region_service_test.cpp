@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "node_client.h"
+#include "pkm_workspace/interval/rounding.h"
 
 // Numbers: reference values of the Orthoglide with L = 1 m and psi in [0.5, 2].
 namespace pkm_workspace
