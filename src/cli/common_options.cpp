@@ -19,6 +19,9 @@ constexpr const char* RAILS_HELP =
 constexpr const char* TCP_LINKS_HELP =
     "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide";
 
+constexpr const char* TOOL_LINK_HELP =
+    "name of a link fixed to the platform that is the tool point (a spindle's tip); without it, where the legs meet";
+
 /// "psi-min" of "psi_min".
 std::string optionOf(std::string name)
 {
@@ -38,8 +41,9 @@ void MachineOptions::declare(Options& options)
   options.text("urdf", path_, "FILE", URDF_HELP);
   options.texts("rails", names_.rails, "JOINT JOINT JOINT", RAILS_HELP);
   options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK", TCP_LINKS_HELP);
+  options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
   options.require({ "urdf" });
-  options.check({ "urdf", "rails", "tcp-links" }, [this](Problems& problems) {
+  options.check({ "urdf", "rails", "tcp-links", "tool-link" }, [this](Problems& problems) {
     try
     {
       urdf_ = readUrdfFile(path_, names_);
@@ -51,11 +55,39 @@ void MachineOptions::declare(Options& options)
   });
 }
 
+namespace
+{
+void assign(const Words& words, Words& target)
+{
+  target = words;
+}
+
+void assign(const Words& words, std::string& target)
+{
+  target = words[0];
+}
+}  // namespace
+
+template <class Member>
+void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
+                                   const std::string& help, Member member)
+{
+  options.repeated(name, values, help + "; after the --urdf it is about", [this, member](const Words& words) {
+    if (requests_.empty())
+      throw std::invalid_argument("give it after the --urdf FILE that it is about");
+    auto& names = *member(requests_.back().names);
+    if (!names.empty())
+      throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
+    assign(words, names);
+  });
+}
+
 void MachinesOptions::declare(Options& options)
 {
   options.repeated("urdf", "FILE", URDF_HELP, [this](const Words& words) { requests_.push_back({ words[0], {} }); });
-  declareNames(options, "rails", "JOINT JOINT JOINT", RAILS_HELP, &UrdfOptions::rails);
-  declareNames(options, "tcp-links", "LINK LINK LINK", TCP_LINKS_HELP, &UrdfOptions::tcp_links);
+  declareNames(options, "rails", "JOINT JOINT JOINT", RAILS_HELP, [](UrdfOptions& all) { return &all.rails; });
+  declareNames(options, "tcp-links", "LINK LINK LINK", TCP_LINKS_HELP, [](UrdfOptions& all) { return &all.tcp_links; });
+  declareNames(options, "tool-link", "LINK", TOOL_LINK_HELP, [](UrdfOptions& all) { return &all.tool_link; });
   options.check({}, [this](Problems& problems) {
     for (const Request& request : requests_)
       try
@@ -69,24 +101,20 @@ void MachinesOptions::declare(Options& options)
   });
 }
 
-void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
-                                   const std::string& help, Words UrdfOptions::*member)
+Words remarksOn(const UrdfMachine& urdf)
 {
-  options.repeated(name, values, help + "; after the --urdf it is about", [this, member](const Words& words) {
-    if (requests_.empty())
-      throw std::invalid_argument("give it after the --urdf FILE that it is about");
-    Words& names = requests_.back().names.*member;
-    if (!names.empty())
-      throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
-    names = words;
-  });
+  Words all = urdf.warnings;
+  if (!urdf.gap.empty())
+    all.push_back(urdf.gap);
+  return all;
 }
 
 Words MachinesOptions::warnings() const
 {
   Words all;
   for (const UrdfMachine& machine : machines_)
-    all.insert(all.end(), machine.warnings.begin(), machine.warnings.end());
+    for (const std::string& remark : remarksOn(machine))
+      all.push_back(remark);
   return all;
 }
 

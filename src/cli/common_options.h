@@ -14,15 +14,17 @@ namespace pkm_workspace
 {
 namespace cli
 {
-/// --urdf, --rails, --tcp-links: read while the options are, so that all problems are told at once.
+/// What is in a URDF and not used, and what was made of it that a user may not expect.
+Words remarksOn(const UrdfMachine& urdf);
+
+/// --urdf, --rails, --tcp-links, --tool-link: read while the options are, so that all problems are told at once.
 class MachineOptions
 {
 public:
   void declare(Options& options);
   /// @pre the options have been parsed
   const Machine& machine() const { return urdf_->machine; }
-  /// What is in the URDF and not used.
-  const Words& warnings() const { return urdf_->warnings; }
+  Words warnings() const { return remarksOn(*urdf_); }
 
 private:
   std::string path_;
@@ -30,7 +32,7 @@ private:
   std::optional<UrdfMachine> urdf_;
 };
 
-/// The same for several machines: --urdf once for each of them, with --rails and --tcp-links of its own after it.
+/// The same for several machines: --urdf once for each of them, with names of its own after it.
 class MachinesOptions
 {
 public:
@@ -39,7 +41,6 @@ public:
   const std::vector<UrdfMachine>& machines() const { return machines_; }
   /// How many were asked for, read or not.
   std::size_t count() const { return requests_.size(); }
-  /// What is in the URDFs and not used.
   Words warnings() const;
 
 private:
@@ -49,8 +50,9 @@ private:
     UrdfOptions names;
   };
 
+  template <class Member>
   void declareNames(Options& options, const std::string& name, const std::string& values, const std::string& help,
-                    Words UrdfOptions::*member);
+                    Member member);
 
   std::vector<Request> requests_;
   std::vector<UrdfMachine> machines_;

@@ -15,8 +15,19 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Where three spheres meet: the two points of |p - center_i| = length_i (trilateration), or none.
-std::optional<std::array<Vector3d, 2>> meet(const Matrix3d& centers, const Vector3d& lengths)
+/// @return nothing where a leg does not reach
+std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Vector3d& p)
+{
+  std::array<LegAtPoint, 3> legs;
+  for (int i = 0; i < 3; ++i)
+    if (!visitLeg([&](const auto& kind) { return evaluateNear(kind, p, legs[static_cast<std::size_t>(i)]); },
+                  machine.enclosed(i)))
+      return std::nullopt;
+  return legs;
+}
+}  // namespace
+
+std::optional<std::array<Vector3d, 2>> meetingPoints(const Matrix3d& centers, const Vector3d& lengths)
 {
   const Vector3d origin = centers.col(0);
   const Vector3d u = centers.col(1) - origin;
@@ -34,18 +45,6 @@ std::optional<std::array<Vector3d, 2>> meet(const Matrix3d& centers, const Vecto
   const Vector3d height = std::sqrt(height_squared / area_squared) * normal;
   return std::array<Vector3d, 2>{ origin + in_plane + height, origin + in_plane - height };
 }
-
-/// @return nothing where a leg does not reach
-std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Vector3d& p)
-{
-  std::array<LegAtPoint, 3> legs;
-  for (int i = 0; i < 3; ++i)
-    if (!visitLeg([&](const auto& kind) { return evaluateNear(kind, p, legs[static_cast<std::size_t>(i)]); },
-                  machine.enclosed(i)))
-      return std::nullopt;
-  return legs;
-}
-}  // namespace
 
 std::optional<Configuration> configurationAt(const Machine& machine, const IntervalVector& p)
 {
@@ -91,7 +90,7 @@ std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, in
     centers.col(i) = sphere.center;
     radii[i] = sphere.radius;
   }
-  const auto points = meet(centers, radii);
+  const auto points = meetingPoints(centers, radii);
   if (!points)
     return std::nullopt;
   for (const Vector3d& p : *points)

@@ -35,7 +35,9 @@ void logMachine(const UrdfMachine& urdf, const std::string& frame)
          << visitLeg([](const auto& kind) { return describe(kind); }, leg.kind);
   ROS_INFO_STREAM_NAMED("urdf", "machine '" << urdf.machine.name() << "' in frame " << frame << legs.str()
                                             << "; geometry " << urdf.machine.geometryHash());
+  ROS_INFO_STREAM_NAMED("urdf", urdf.tool_point << (urdf.gap.empty() ? "" : "; ") << urdf.gap);
 }
+
 std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std::vector<std::string>& links)
 {
   std::vector<std::string> frames;

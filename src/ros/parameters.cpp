@@ -165,6 +165,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "threads", entry(query.budget.threads, "a whole number >= 1") },
     { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints, or an empty one") },
     { "tcp_links", entry(parameters.urdf.tcp_links, "a list of three names of links, or an empty one") },
+    { "tool_link", entry(parameters.urdf.tool_link, "a text, the name of a link fixed to the platform") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },

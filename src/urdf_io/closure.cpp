@@ -7,6 +7,7 @@
 
 #include "number_text.h"
 #include "refusal.h"
+#include "tool_point.h"
 
 namespace pkm_workspace
 {
@@ -21,7 +22,6 @@ struct Candidate
   Eigen::Vector3d point;
 };
 using Candidates = std::array<std::vector<Candidate>, 3>;
-using Stations = std::array<std::vector<Station>, 3>;
 
 /// One candidate of each leg; their distances are those from the first leg's.
 struct Triple
@@ -52,14 +52,6 @@ Candidate candidateAt(const Station& station, const Rail& rail)
   return { &station, mid(rail.slider.toOuter(station.frame.position)) };
 }
 
-std::string linksOf(const Model& model)
-{
-  std::string list;
-  for (const auto& link : model.tree->links_)
-    list += (list.empty() ? "'" : ", '") + link.first + "'";
-  return list;
-}
-
 /// Every link that is fixed below a wrist.
 Candidates allCandidates(const std::array<Rail, 3>& rails, const Stations& stations)
 {
@@ -75,16 +67,6 @@ Candidates allCandidates(const std::array<Rail, 3>& rails, const Stations& stati
   }
   throwRefusal(problems);
   return candidates;
-}
-
-/// The leg that carries a named link, and where; nothing when none does.
-std::optional<std::pair<std::size_t, const Station*>> findLink(const std::string& link, const Stations& stations)
-{
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const Station& station : stations[i])
-      if (station.link == link)
-        return std::make_pair(i, &station);
-  return std::nullopt;
 }
 
 Candidates namedCandidates(const Model& model, const std::array<Rail, 3>& rails, const Stations& stations,
@@ -139,13 +121,14 @@ std::vector<Triple> coincidingTriples(const Candidates& candidates, double toler
     const Candidate* const second = partnerOf(first, candidates[1], tolerance);
     const Candidate* const third = partnerOf(first, candidates[2], tolerance);
     if (second != nullptr && third != nullptr)
-      triples.push_back({ { &first, second, third } });
+      triples.push_back({ { &first, second, third },
+                          std::max((second->point - first.point).norm(), (third->point - first.point).norm()) });
   }
   return triples;
 }
 
-/// Tells how near the legs come to closing.
-void tellDistance(const Candidates& candidates, double tolerance, Problems& problems)
+/// The triple that comes nearest to closing.
+Triple nearestTriple(const Candidates& candidates)
 {
   std::optional<Triple> best;
   for (const Candidate& first : candidates[0])
@@ -161,20 +144,29 @@ void tellDistance(const Candidates& candidates, double tolerance, Problems& prob
     if (!best || triple.distance < best->distance)
       best = triple;
   }
-  complain(problems, "the tcp frames of links ", best->names(), " are ", roundedText(best->distance, 6),
-           " m apart at zero, expected at most ", roundedText(urdf_tolerance::COINCIDE, 3),
-           " L = ", roundedText(tolerance, 6), " m: at zero the machine must be assembled");
+  return *best;
 }
 
-/// @param problems of the legs, told with those of the triple when there is none
+/// How far links may be apart that count as one point: more than rounding where no triple comes that near.
+/// @param problems of the legs, told with that of the nearest triple when it is too far apart
+double toleranceFor(const Candidates& candidates, double length, Problems& problems)
+{
+  const Triple nearest = nearestTriple(candidates);
+  const double allowed = urdf_tolerance::GAP * length;
+  if (!(nearest.distance <= allowed))
+  {
+    complain(problems, "the tcp frames of links ", nearest.names(), " are ", roundedText(nearest.distance, 6),
+             " m apart at zero, expected at most ", roundedText(urdf_tolerance::GAP, 3),
+             " L = ", roundedText(allowed, 6), " m: at zero the machine must be drawn assembled, or nearly");
+    throwRefusal(problems);
+  }
+  return std::max(urdf_tolerance::COINCIDE * length, 2.0 * nearest.distance);
+}
+
+/// @pre one triple at least coincides
 Triple deepestTriple(const Candidates& candidates, double tolerance, Problems& problems)
 {
   const auto triples = coincidingTriples(candidates, tolerance);
-  if (triples.empty())
-  {
-    tellDistance(candidates, tolerance, problems);
-    throwRefusal(problems);
-  }
   const auto less = [](const Triple& a, const Triple& b) { return b.isDeeperThan(a); };
   const Triple deepest = *std::max_element(triples.begin(), triples.end(), less);
   for (const Triple& other : triples)
@@ -199,34 +191,45 @@ void checkIndependence(const std::array<ClosedLeg, 3>& legs, Problems& problems)
                  "', which couples their struts; expected passive joints that turn each strut by itself");
     }
 }
+
 }  // namespace
 
-std::array<ClosedLeg, 3> closeLegs(const Model& model, const std::array<Rail, 3>& rails,
-                                   const std::vector<std::string>& tcp_links)
+Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const UrdfOptions& options)
 {
   Stations stations;
   for (std::size_t i = 0; i < 3; ++i)
     stations[i] = stationsBelow(model.link(rails[i].joint->child_link_name), model);
-  const Candidates candidates =
-      tcp_links.empty() ? allCandidates(rails, stations) : namedCandidates(model, rails, stations, tcp_links);
+  const Candidates candidates = options.tcp_links.empty() ? allCandidates(rails, stations)
+                                                          : namedCandidates(model, rails, stations, options.tcp_links);
 
   Problems of_first;
   double length = 0.0;
   for (const auto& leg : candidates)
     length = std::max(length, measureLeg(*leg.front().station, of_first).length.upper());
-  const Triple triple = deepestTriple(candidates, urdf_tolerance::COINCIDE * length, of_first);
+  const Triple triple = deepestTriple(candidates, toleranceFor(candidates, length, of_first), of_first);
 
   Problems problems;
-  std::array<ClosedLeg, 3> legs;
+  Closure closure;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    legs[i].tcp = *triple.of[i]->station;
-    legs[i].geometry = measureLeg(legs[i].tcp, problems);
-    legs[i].tool_point = rails[i].slider.toOuter(legs[i].tcp.frame.position);
+    closure.legs[i].tcp = *triple.of[i]->station;
+    closure.legs[i].geometry = measureLeg(closure.legs[i].tcp, problems);
+    closure.legs[i].tool_point = rails[i].slider.toOuter(closure.legs[i].tcp.frame.position);
   }
-  checkIndependence(legs, problems);
+  checkIndependence(closure.legs, problems);
   throwRefusal(problems);
-  return legs;
+  closure.gap = triple.distance;
+  closure.allowed = urdf_tolerance::GAP * length;
+  closure.beyond = linksBeyond(model, stations, closure);
+  closure.named = options.tool_link;
+  closure.tool =
+      closure.named.empty() ? IntervalVector{ 0.0, 0.0, 0.0 } : toolAt(closure.named, model, rails, stations, closure);
+  return closure;
+}
+
+std::string tcpNames(const Closure& closure)
+{
+  return "'" + closure.legs[0].tcp.link + "', '" + closure.legs[1].tcp.link + "', '" + closure.legs[2].tcp.link + "'";
 }
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -20,12 +20,33 @@ struct ClosedLeg
   IntervalVector tool_point;  ///< the tool point by this leg, at zero, in the root frame [m]
 };
 
-/// Closes the loops: finds one link on each leg's platform so that the three coincide at zero. Of several such triples
-/// the one whose least depth (number of fixed joints below the wrist) is largest counts, and of those the one with the
-/// fewest fixed joints in all.
-/// @param tcp_links names them outright, in any order; empty: any link fixed to the last one of a wrist
-/// @throws std::invalid_argument when no or no single triple coincides, or a leg is not as the design has it
-std::array<ClosedLeg, 3> closeLegs(const Model& model, const std::array<Rail, 3>& rails,
-                                   const std::vector<std::string>& tcp_links);
+/// A link that is fixed where the legs meet, but elsewhere.
+struct Beyond
+{
+  std::string link;
+  double distance;  ///< from there [m]
+};
+
+/// The loops of a machine, closed.
+struct Closure
+{
+  std::array<ClosedLeg, 3> legs;
+  double gap = 0.0;      ///< how far the three links are apart as drawn at zero [m]
+  double allowed = 0.0;  ///< the most that it may be [m]
+  IntervalVector tool;   ///< the tool point, seen from where the legs meet, in the root frame [m]
+  std::string named;     ///< the link of the tool point, where one was named
+  std::vector<Beyond> beyond;
+  double scale() const { return legs[0].geometry.length.upper(); }
+};
+
+/// Closes the loops: finds one link on each leg's platform so that the three coincide at zero, or nearly. Of several
+/// such triples the one whose least depth (number of fixed joints below the wrist) is largest counts, and of those the
+/// one with the fewest fixed joints in all.
+/// @throws std::invalid_argument when no or no single triple comes close enough, a leg is not as the design has it, or
+/// a link that is named is none of them
+Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const UrdfOptions& options);
+
+/// The names of the three links, quoted.
+std::string tcpNames(const Closure& closure);
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -176,5 +176,22 @@ std::string whyNoPlatform(const std::vector<Station>& stations)
     return "no link is fixed to link " + quoted(nearest.link) + ", expected one for the tool point";
   return whyNotOnPlatform(nearest);
 }
+
+std::optional<std::pair<std::size_t, const Station*>> findLink(const std::string& link, const Stations& stations)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Station& station : stations[i])
+      if (station.link == link)
+        return std::make_pair(i, &station);
+  return std::nullopt;
+}
+
+std::string linksOf(const Model& model)
+{
+  std::string list;
+  for (const auto& link : model.tree->links_)
+    list += (list.empty() ? "'" : ", '") + link.first + "'";
+  return list;
+}
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model.h"
@@ -47,5 +50,14 @@ std::string whyNoPlatform(const std::vector<Station>& stations);
 
 /// The same for one link. @return empty when it is on the platform
 std::string whyNotOnPlatform(const Station& station);
+
+/// What each of the three sliders carries.
+using Stations = std::array<std::vector<Station>, 3>;
+
+/// The leg that carries a link, and where; nothing when none does.
+std::optional<std::pair<std::size_t, const Station*>> findLink(const std::string& link, const Stations& stations);
+
+/// The names of all links, quoted.
+std::string linksOf(const Model& model);
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -58,26 +58,24 @@ Vector3d behindRail(const LegNumbers& leg, const Vector3d& tool)
   return leg.axis.unitOrthogonal();
 }
 
-LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, double unit)
+/// @param middle of the platform, seen from the tool point
+LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, const Vector3d& middle, double unit)
 {
-  const double length = leg.strut.norm();
   const Vector3d behind = 0.1 * unit * behindRail(leg, tool);
   const Vector3d along = 0.07 * unit * leg.axis;
-  const double forward = leg.axis.dot(leg.strut) > 0.0 ? 1.0 : -1.0;
-  const double from = std::max(leg.lower, std::min(-0.4 * forward, 0.7 * forward) * length);
-  const double to = std::min(leg.upper, std::max(-0.4 * forward, 0.7 * forward) * length);
 
   LegLooks looks;
   const Vector3d start = leg.origin + behind;
-  looks.rail = beam(start + from * leg.axis - 1.5 * along, start + to * leg.axis + 1.5 * along, behind, 0.035 * unit,
-                    0.05 * unit, "rail");
+  looks.rail = beam(start + leg.drawn.first * leg.axis - 1.5 * along, start + leg.drawn.second * leg.axis + 1.5 * along,
+                    behind, 0.035 * unit, 0.05 * unit, "rail");
   looks.slider = { beam(behind - along, behind + along, behind, 0.07 * unit, 0.1 * unit, "slider"),
                    beam(behind, Vector3d::Zero(), leg.axis, 0.05 * unit, 0.03 * unit, "slider") };
   looks.half_width = 0.06 * unit * leg.revolute;
   looks.short_bar = rod(-1.2 * looks.half_width, 1.2 * looks.half_width, 0.014 * unit, "joint");
   looks.bar = rod(Vector3d::Zero(), leg.strut, 0.01 * unit, "bar");
-  if (leg.platform.norm() > 0.02 * unit)
-    looks.tip = { beam(Vector3d::Zero(), -leg.platform, tool, 0.02 * unit, 0.04 * unit, "platform") };
+  const Vector3d arm = middle - leg.platform;
+  if (arm.norm() > 0.02 * unit)
+    looks.tip = { beam(Vector3d::Zero(), arm, tool, 0.02 * unit, 0.04 * unit, "platform") };
   return looks;
 }
 }  // namespace
@@ -90,18 +88,19 @@ const std::vector<Material>& materials()
   return all;
 }
 
-Looks looksOf(const std::array<LegNumbers, 3>& numbers)
+Looks looksOf(const std::array<LegNumbers, 3>& numbers, const Vector3d& tool)
 {
   const double unit = std::max({ numbers[0].strut.norm(), numbers[1].strut.norm(), numbers[2].strut.norm() });
-  const Vector3d tool = toolDirection(numbers);
+  const bool has_tool = tool.norm() > 0.02 * unit;
+  const Vector3d pointing = has_tool ? Vector3d(tool.normalized()) : toolDirection(numbers);
+  const double body = has_tool ? 0.6 * tool.norm() : 0.12 * unit;
+  const double whole = has_tool ? tool.norm() : 0.2 * unit;
   Looks looks;
   for (std::size_t i = 0; i < 3; ++i)
-    looks.legs[i] = looksOf(numbers[i], tool, unit);
-  looks.platform = {
-    { Solid::Shape::SPHERE, { 0.05 * unit, 0.0, 0.0 }, Vector3d::Zero(), Matrix3d::Identity(), "platform" },
-    rod(Vector3d::Zero(), 0.12 * unit * tool, 0.03 * unit, "platform"),
-    rod(0.12 * unit * tool, 0.2 * unit * tool, 0.01 * unit, "tool")
-  };
+    looks.legs[i] = looksOf(numbers[i], pointing, -tool, unit);
+  looks.platform = { { Solid::Shape::SPHERE, { 0.05 * unit, 0.0, 0.0 }, -tool, Matrix3d::Identity(), "platform" },
+                     rod(-tool, body * pointing - tool, 0.03 * unit, "platform"),
+                     rod(body * pointing - tool, whole * pointing - tool, 0.01 * unit, "tool") };
   return looks;
 }
 }  // namespace urdf_io

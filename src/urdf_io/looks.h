@@ -19,7 +19,7 @@ struct Material
 };
 const std::vector<Material>& materials();
 
-/// A solid that rviz draws, in the frame of its link.
+/// A solid that rviz draws: from the origin of its link, along the axes of the machine.
 struct Solid
 {
   enum class Shape
@@ -51,6 +51,7 @@ struct Looks
   std::array<LegLooks, 3> legs;
   std::vector<Solid> platform;  ///< with the tool, seen from the tool point
 };
-Looks looksOf(const std::array<LegNumbers, 3>& numbers);
+/// @param tool the tool point, seen from the middle of the platform [m]; 0: a tool is drawn beyond it
+Looks looksOf(const std::array<LegNumbers, 3>& numbers, const Eigen::Vector3d& tool = Eigen::Vector3d::Zero());
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -113,6 +113,15 @@ void setLimits(const Machine& machine, int i, LegNumbers& numbers)
   numbers.upper = std::isfinite(own.upper()) ? own.upper() : highest;
 }
 
+/// Limits of a machine of the catalogue are mostly those of reach: near the zero configuration is what a rail is for.
+void setDrawnTravel(LegNumbers& numbers)
+{
+  const double length = numbers.strut.norm();
+  const double forward = numbers.axis.dot(numbers.strut) > 0.0 ? 1.0 : -1.0;
+  numbers.drawn = { std::max(numbers.lower, std::min(-0.4 * forward, 0.7 * forward) * length),
+                    std::min(numbers.upper, std::max(-0.4 * forward, 0.7 * forward) * length) };
+}
+
 void setHinges(LegNumbers& numbers)
 {
   const Vector3d along = numbers.strut.normalized();
@@ -162,6 +171,7 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
     numbers.strut = nearestThat(mid(zero.strut[static_cast<std::size_t>(i)]), machine,
                                 [&leg](const Vector3d& v) { return lengthOf(enclose(v)).intersects(leg.length); });
     setLimits(machine, i, numbers);
+    setDrawnTravel(numbers);
     setHinges(numbers);
   }
   return all;

@@ -74,6 +74,18 @@ void warnOfSize(const std::array<Rail, 3>& rails, const std::array<ClosedLeg, 3>
     }
 }
 
+/// A spindle's tip may be what the user means by the tool point.
+void warnOfTools(const Closure& closure, Notices& notices)
+{
+  const std::string remedy = "; name it with tool_link if it is meant";
+  for (const Beyond& tool : closure.beyond)
+    if (closure.named.empty())
+      notices.push_back({ "link '" + tool.link + "' is fixed " + roundedText(tool.distance, 6) +
+                              " m from where the legs meet, and is not the tool point" + remedy,
+                          "links are fixed beyond where the legs meet, and are not the tool point" + remedy,
+                          roundedText(tool.distance, 6) + " m", tool.link });
+}
+
 void warnOfGeometry(const Rail& rail, const ClosedLeg& leg, Notices& notices)
 {
   const std::string& rail_name = rail.joint->name;
@@ -103,9 +115,9 @@ void warnOfGeometry(const Rail& rail, const ClosedLeg& leg, Notices& notices)
 }
 }  // namespace
 
-std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail, 3>& rails,
-                                       const std::array<ClosedLeg, 3>& legs)
+std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail, 3>& rails, const Closure& closure)
 {
+  const std::array<ClosedLeg, 3>& legs = closure.legs;
   Notices notices = model.document.warnings;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -116,6 +128,7 @@ std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail
     warnOfGeometry(rails[i], legs[i], notices);
   }
   warnOfSize(rails, legs, notices);
+  warnOfTools(closure, notices);
   return sentencesOf(notices);
 }
 }  // namespace urdf_io

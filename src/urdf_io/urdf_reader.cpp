@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "closure.h"
 #include "number_text.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/machine/assembly.h"
 #include "reader_warnings.h"
 #include "refusal.h"
 
@@ -19,6 +21,9 @@ namespace
 using Rails = std::array<Rail, 3>;
 using ClosedLegs = std::array<ClosedLeg, 3>;
 
+/// What is drawn this near to assembled at zero is so but for rounding [L].
+constexpr double DRAWN_ASSEMBLED = 1e-9;
+
 /// The strut of one leg at zero, in the root frame.
 IntervalVector strutOf(const Rail& rail, const ClosedLeg& leg)
 {
@@ -30,13 +35,13 @@ std::string strutLink(const ClosedLeg& leg)
   return leg.tcp.at_slider.back().child_link;
 }
 
-Leg machineLeg(const Rail& rail, const ClosedLeg& closed)
+Leg machineLeg(const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
 {
   SlidingStrut strut;
   strut.origin = rail.slider.toOuter(closed.geometry.slider_point);
   strut.axis = rail.axis;
   strut.direction = rail.direction;
-  strut.platform = rail.slider.rotation * closed.geometry.platform;
+  strut.platform = rail.slider.rotation * closed.geometry.platform - tool;
   strut.length = closed.geometry.length;
   strut.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
   return { rail.joint->name, Interval(rail.joint->limits->lower, rail.joint->limits->upper), strut };
@@ -66,31 +71,76 @@ void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& pr
              " L_1 L_2 L_3 = ", roundedText(least * volume.upper(), 6), " m^3 in size");
 }
 
-/// A double near the tool point of the first leg: rounding is no coordinate.
-Eigen::Vector3d zeroOf(const ClosedLeg& leg)
+/// A double near the tool point as the first leg is drawn: rounding is no coordinate.
+Eigen::Vector3d drawnZero(const Closure& closure)
 {
-  const double rounding = 1e-12 * leg.geometry.length.upper();
-  return mid(leg.tool_point).unaryExpr([rounding](double x) { return std::abs(x) < rounding ? 0.0 : x; });
+  const double rounding = 1e-12 * closure.scale();
+  const IntervalVector zero = closure.legs[0].tool_point + closure.tool;
+  return mid(zero).unaryExpr([rounding](double x) { return std::abs(x) < rounding ? 0.0 : x; });
 }
 
-Machine makeMachine(const Model& model, const Rails& rails, const ClosedLegs& closed)
+/// Where the struts meet at joint values 0, when that is where they are drawn, and nowhere else near.
+Eigen::Vector3d assembledZero(const Machine& drawn, const Closure& closure, Problems& problems)
+{
+  const auto zero = assemble(drawn, Eigen::Vector3d::Zero(), drawn.aspect());
+  const auto other = assemble(drawn, Eigen::Vector3d::Zero(), -drawn.aspect());
+  const auto distance = [&](const std::optional<Eigen::Vector3d>& p) {
+    return p ? (*p - drawn.zero()).norm() : std::numeric_limits<double>::infinity();
+  };
+  if (!(distance(zero) <= closure.allowed) || !(distance(other) > 2.0 * closure.allowed))
+    complain(problems, "the tcp frames of links ", tcpNames(closure), " are ", roundedText(closure.gap, 6),
+             " m apart at zero, and the struts do not meet within ", roundedText(closure.allowed, 6),
+             " m of where they are drawn in one place alone; expected a machine that is drawn assembled at joint "
+             "values 0");
+  return zero.value_or(drawn.zero());
+}
+
+Machine makeMachine(const Model& model, const Rails& rails, const Closure& closure)
 {
   Problems problems;
-  checkSingularities(rails, closed, problems);
+  checkSingularities(rails, closure.legs, problems);
   throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
-    legs[i] = machineLeg(rails[i], closed[i]);
+    legs[i] = machineLeg(rails[i], closure.legs[i], closure.tool);
   try
   {
-    return Machine(model.tree->getName(), legs, zeroOf(closed[0]));
+    const Machine drawn(model.tree->getName(), legs, drawnZero(closure));
+    if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
+      return drawn;
+    const Eigen::Vector3d zero = assembledZero(drawn, closure, problems);
+    throwRefusal(problems);
+    return Machine(drawn.name(), legs, zero);
   }
   catch (const std::invalid_argument& exception)
   {
+    if (!problems.empty())
+      throw;
     complain(problems, exception.what());
     throwRefusal(problems);
     throw;
   }
+}
+
+/// Which link is the tool point, and why.
+std::string toolPointOf(const Closure& closure, const UrdfOptions& options)
+{
+  std::string text = closure.named.empty() ? "the tool point is where the links "
+                                           : "the tool point is the link '" + closure.named +
+                                                 "', as tool_link names it; the legs meet where the links ";
+  text += tcpNames(closure) + " coincide at joint values 0" +
+          (options.tcp_links.empty() ? ", the deepest that do" : ", as tcp_links names them");
+  return text;
+}
+
+/// How the loops close that are not drawn closed.
+std::string gapOf(const Closure& closure)
+{
+  return closure.gap > DRAWN_ASSEMBLED * closure.scale()
+             ? "the legs are drawn up to " + roundedText(closure.gap, 3) +
+                   " m apart at joint values 0 (allowed: " + roundedText(closure.allowed, 3) +
+                   " m); the zero configuration is where the struts meet"
+             : "";
 }
 
 StrutHinges hingesOf(const Rail& rail, const ClosedLeg& leg)
@@ -146,8 +196,9 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
 {
   const Model model = readModel(xml);
   const Rails rails = findRails(model, options.rails);
-  const ClosedLegs legs = closeLegs(model, rails, options.tcp_links);
-  UrdfMachine urdf{ makeMachine(model, rails, legs), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {} };
+  const Closure closure = closeLegs(model, rails, options);
+  const ClosedLegs& legs = closure.legs;
+  UrdfMachine urdf{ makeMachine(model, rails, closure), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {} };
   for (std::size_t i = 0; i < 3; ++i)
   {
     urdf.slider_links[i] = rails[i].joint->child_link_name;
@@ -155,7 +206,9 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
     urdf.hinges[i] = hingesOf(rails[i], legs[i]);
   }
   urdf.followers = followersIn(model, rails, legs);
-  urdf.warnings = warningsAbout(model, rails, legs);
+  urdf.tool_point = toolPointOf(closure, options);
+  urdf.gap = gapOf(closure);
+  urdf.warnings = warningsAbout(model, rails, closure);
   urdf.moved_links = movedLinks(model);
   return urdf;
 }

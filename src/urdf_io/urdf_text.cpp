@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf_text.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,29 +13,40 @@ namespace urdf_io
 {
 namespace
 {
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
 std::string drawnText(double value)
 {
   return roundedText(std::abs(value) < 1e-9 ? 0.0 : value, 6);
 }
 
-std::string drawnText(const Eigen::Vector3d& v)
+std::string drawnText(const Vector3d& v)
 {
   return drawnText(v.x()) + " " + drawnText(v.y()) + " " + drawnText(v.z());
 }
 
 /// Roll, pitch and yaw of a rotation [rad]; entries of nearly 0 are 0, or their noise would choose among equal angles.
-Eigen::Vector3d anglesOf(const Eigen::Matrix3d& rotation)
+Vector3d anglesOf(const Matrix3d& rotation)
 {
-  const Eigen::Matrix3d r = rotation.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; });
+  const Matrix3d r = rotation.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; });
   const double cosine = std::hypot(r(0, 0), r(1, 0));
   const double pitch = std::atan2(-r(2, 0), cosine);
   if (cosine < 1e-9)  // yaw and roll turn about one axis
     return { std::atan2(-r(1, 2), r(1, 1)), pitch, 0.0 };
   return { std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0)) };
 }
+
+/// Rz(yaw) Ry(pitch) Rx(roll); of no turns exactly the identity.
+Matrix3d turn(const Vector3d& rpy)
+{
+  return (Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX()))
+      .toRotationMatrix();
+}
 }  // namespace
 
-UrdfText::UrdfText(const std::string& robot) : robot_(robot)
+UrdfText::UrdfText(const std::string& robot) : robot_(robot), axes_{ { "base_link", Matrix3d::Identity() } }
 {
   open("robot", { { "name", robot } });
   for (const Material& one : materials())
@@ -61,10 +73,22 @@ void UrdfText::material(const Material& material)
   printer_.CloseElement();
 }
 
-void UrdfText::visual(const Solid& solid)
+void UrdfText::comment(const std::string& text)
 {
+  printer_.PushComment((" " + text + " ").c_str());
+}
+
+Vector3d UrdfText::inLink(const std::string& link, const Vector3d& v) const
+{
+  return axes_.at(link).transpose() * v;
+}
+
+void UrdfText::visual(const Solid& solid, const Matrix3d& axes)
+{
+  const Vector3d center = axes.transpose() * solid.center;
   open("visual");
-  element("origin", { { "xyz", drawnText(solid.center) }, { "rpy", drawnText(anglesOf(solid.rotation)) } });
+  element("origin",
+          { { "xyz", drawnText(center) }, { "rpy", drawnText(anglesOf(axes.transpose() * solid.rotation)) } });
   open("geometry");
   const std::string radius = drawnText(solid.size[0]);
   if (solid.shape == Solid::Shape::BOX)
@@ -80,9 +104,10 @@ void UrdfText::visual(const Solid& solid)
 
 void UrdfText::link(const std::string& name, const std::vector<Solid>& solids)
 {
+  const Matrix3d& axes = axes_.emplace(name, Matrix3d::Identity()).first->second;
   open("link", { { "name", name } });
   for (const Solid& solid : solids)
-    visual(solid);
+    visual(solid, axes);
   printer_.CloseElement();
 }
 
@@ -94,7 +119,11 @@ void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
   open("joint", { { "name", joint.name }, { "type", joint.type } });
   element("parent", { { "link", joint.parent } });
   element("child", { { "link", joint.child } });
-  element("origin", { { "xyz", vectorText(joint.origin) } });
+  const Vector3d rpy(joint.origin.rpy.data());
+  if (rpy.isZero(0.0))
+    element("origin", { { "xyz", vectorText(joint.origin.xyz) } });
+  else
+    element("origin", { { "xyz", vectorText(joint.origin.xyz) }, { "rpy", vectorText(rpy) } });
   if (!joint.axis.isZero(0.0))
     element("axis", { { "xyz", vectorText(joint.axis) } });
   if (!joint.master.empty())
@@ -105,6 +134,8 @@ void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
                        { "effort", "1000" },
                        { "velocity", "1" } });
   printer_.CloseElement();
+  const Matrix3d parent = axes_.emplace(joint.parent, Matrix3d::Identity()).first->second;
+  axes_.emplace(joint.child, parent * turn(rpy));
   link(joint.child, solids);
 }
 

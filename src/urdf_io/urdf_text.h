@@ -4,12 +4,14 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Core>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "looks.h"
+#include "placement.h"
 
 namespace pkm_workspace
 {
@@ -22,23 +24,27 @@ struct JointText
   std::string type;
   std::string parent;
   std::string child;
-  Eigen::Vector3d origin;
+  Origin origin;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   std::string master = "";                          ///< whom it follows
   double multiplier = 1.0;                          ///< in doing so
   std::pair<double, double> limits = { 0.0, 0.0 };  ///< of a prismatic joint [m]
 };
 
-/// Writes the elements of a URDF. Numbers of joints read back as the same doubles; what is only drawn is rounded, so
-/// that the text is the same on every machine.
+/// Writes the elements of a URDF, below a link "base_link" with the machine's axes. Numbers of joints read back as the
+/// same doubles; what is only drawn is rounded, so that the text is the same on every machine.
 class UrdfText
 {
 public:
   explicit UrdfText(const std::string& robot);
 
+  void comment(const std::string& text);
+  /// The root, or another link whose axes are the machine's.
   void link(const std::string& name, const std::vector<Solid>& solids = {});
   /// The joint and its child link. @throws std::invalid_argument when its name is empty or another joint's
   void branch(const JointText& joint, const std::vector<Solid>& solids = {});
+  /// A vector of the machine's axes, in those of a link that was written.
+  Eigen::Vector3d inLink(const std::string& link, const Eigen::Vector3d& v) const;
   /// Ends the robot. @return the whole text
   std::string finish();
 
@@ -47,11 +53,12 @@ private:
   void open(const char* element, const Attributes& attributes = {});
   void element(const char* name, const Attributes& attributes);
   void material(const Material& material);
-  void visual(const Solid& solid);
+  void visual(const Solid& solid, const Eigen::Matrix3d& axes);
 
   tinyxml2::XMLPrinter printer_;
   std::string robot_;
   std::set<std::string> joints_;
+  std::map<std::string, Eigen::Matrix3d> axes_;  ///< of each link, at zero, in the machine's
 };
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 
+#include "leg_places.h"
 #include "urdf_text.h"
 
 namespace pkm_workspace
@@ -15,45 +16,67 @@ using Eigen::Vector3d;
 class LegText
 {
 public:
-  LegText(UrdfText& text, const LegNumbers& leg, const LegLooks& looks, const std::string& number)
-    : text_(text), leg_(leg), looks_(looks), number_(number)
+  LegText(UrdfText& text, const LegNumbers& leg, const LegPlaces& places, const LegLooks& looks,
+          const std::string& number)
+    : text_(text), leg_(leg), places_(places), looks_(looks), number_(number)
   {}
 
   /// From the rail to the tool point: what readUrdf() reads.
   void writeChain() const
   {
-    JointText rail{ leg_.joint, "prismatic", "base_link", numbered("slider"), leg_.origin, leg_.axis };
+    const LegPlaces& at = places_;
+    if (!at.comment.empty())
+      text_.comment(at.comment);
+    if (at.tower)
+      text_.branch({ numbered("tower_joint"), "fixed", "base_link", numbered("tower"), *at.tower });
+    JointText rail{ leg_.joint,         "prismatic", at.tower ? numbered("tower") : "base_link",
+                    numbered("slider"), at.rail,     at.rail_axis };
     rail.limits = { leg_.lower, leg_.upper };
     text_.branch(rail, looks_.slider);
-    text_.branch(hinge("revolute", "slider", "knuckle", Vector3d::Zero(), leg_.revolute), { looks_.short_bar });
-    text_.branch(hinge("parallelogram", "knuckle", "strut", Vector3d::Zero(), leg_.parallelogram));
-    text_.branch(
-        follower("parallelogram", -1.0, "parallelogram_back", "strut", "wrist", leg_.strut, leg_.parallelogram),
-        { looks_.short_bar });
-    text_.branch(follower("revolute", -1.0, "revolute_back", "wrist", "tip", Vector3d::Zero(), leg_.revolute),
+    text_.branch(hinge("revolute", "slider", "knuckle", at.revolute, at.revolute_axis), { looks_.short_bar });
+    text_.branch(hinge("parallelogram", "knuckle", "strut", at.parallelogram, at.parallelogram_axis));
+    text_.branch(follower("parallelogram", -1.0, "parallelogram_back", "strut", "wrist", at.parallelogram_back,
+                          at.parallelogram_axis),
+                 { looks_.short_bar });
+    text_.branch(follower("revolute", -1.0, "revolute_back", "wrist", "tip", at.revolute_back, at.revolute_axis),
                  looks_.tip);
-    text_.branch({ numbered("tcp_joint"), "fixed", numbered("tip"), numbered("tcp"), -leg_.platform });
+    writePlatform();
   }
 
   /// The two bars of the parallelogram, beside the strut: what rviz shows.
   void writeBars() const
   {
-    const Vector3d half_width = looks_.half_width;
-    text_.branch(follower("parallelogram", 1.0, "bar_joint_a", "knuckle", "bar_a", half_width, leg_.parallelogram),
-                 { looks_.bar });
-    text_.branch(follower("parallelogram", 1.0, "bar_joint_b", "knuckle", "bar_b", -half_width, leg_.parallelogram),
-                 { looks_.bar });
+    for (const auto& [name, sign] : { std::make_pair("a", 1.0), std::make_pair("b", -1.0) })
+    {
+      Origin beside = places_.parallelogram;
+      beside.xyz += text_.inLink(numbered("knuckle"), sign * looks_.half_width);
+      text_.branch(follower("parallelogram", 1.0, std::string("bar_joint_") + name, "knuckle",
+                            std::string("bar_") + name, beside, places_.parallelogram_axis),
+                   { looks_.bar });
+    }
   }
 
 private:
+  void writePlatform() const
+  {
+    std::string last = "tip";
+    const auto fix = [&](const std::optional<Origin>& place, const std::string& link) {
+      if (place)
+        text_.branch({ numbered(link + "_joint"), "fixed", numbered(last), numbered(link), *place });
+      last = place ? link : last;
+    };
+    fix(places_.flange, "flange");
+    fix(places_.plate, "plate");
+    fix(places_.tcp, "tcp");
+  }
   std::string numbered(const std::string& name) const { return name + "_" + number_; }
-  JointText hinge(const char* name, const char* parent, const char* child, const Vector3d& origin,
+  JointText hinge(const std::string& name, const char* parent, const std::string& child, const Origin& origin,
                   const Vector3d& axis) const
   {
     return { numbered(name), "continuous", numbered(parent), numbered(child), origin, axis };
   }
-  JointText follower(const char* master, double multiplier, const char* name, const char* parent, const char* child,
-                     const Vector3d& origin, const Vector3d& axis) const
+  JointText follower(const char* master, double multiplier, const std::string& name, const char* parent,
+                     const std::string& child, const Origin& origin, const Vector3d& axis) const
   {
     JointText joint = hinge(name, parent, child, origin, axis);
     joint.master = numbered(master);
@@ -63,10 +86,29 @@ private:
 
   UrdfText& text_;
   const LegNumbers& leg_;
+  const LegPlaces& places_;
   const LegLooks& looks_;
   std::string number_;
 };
 
+/// The rest of the robot, below its root.
+std::string writeBelow(UrdfText& text, const std::array<LegNumbers, 3>& numbers, const std::array<LegPlaces, 3>& places,
+                       const Looks& looks)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const LegText leg(text, numbers[i], places[i], looks.legs[i], std::to_string(i + 1));
+    leg.writeChain();
+    leg.writeBars();
+  }
+  text.branch({ "platform_joint", "fixed", "tcp_1", "platform", {} }, looks.platform);
+  return text.finish();
+}
+
+std::vector<Solid> railsOf(const Looks& looks)
+{
+  return { looks.legs[0].rail, looks.legs[1].rail, looks.legs[2].rail };
+}
 }  // namespace
 
 std::string writeUrdf(const Machine& machine)
@@ -74,14 +116,25 @@ std::string writeUrdf(const Machine& machine)
   const auto numbers = numbersOf(machine);
   const Looks looks = looksOf(numbers);
   UrdfText text(machine.name());
-  text.link("base_link", { looks.legs[0].rail, looks.legs[1].rail, looks.legs[2].rail });
-  for (std::size_t i = 0; i < 3; ++i)
+  text.link("base_link", railsOf(looks));
+  return writeBelow(text, numbers, { placesOf(numbers[0]), placesOf(numbers[1]), placesOf(numbers[2]) }, looks);
+}
+
+std::string writeUrdf(const MachineDescription& machine)
+{
+  const auto legs = describedLegs(machine);
+  const std::array<LegNumbers, 3> numbers = { legs[0].numbers, legs[1].numbers, legs[2].numbers };
+  const Looks looks = looksOf(numbers, machine.tool);
+  UrdfText text(machine.name);
+  if (machine.mount)
   {
-    const LegText leg(text, numbers[i], looks.legs[i], std::to_string(i + 1));
-    leg.writeChain();
-    leg.writeBars();
+    const Vector3d& rpy = machine.mount->rpy;
+    text.link("world");
+    text.branch({ "mount", "fixed", "world", "base_link", { machine.mount->xyz, { rpy.x(), rpy.y(), rpy.z() } } },
+                railsOf(looks));
   }
-  text.branch({ "platform_joint", "fixed", "tcp_1", "platform", Vector3d::Zero() }, looks.platform);
-  return text.finish();
+  else
+    text.link("base_link", railsOf(looks));
+  return writeBelow(text, numbers, { legs[0].places, legs[1].places, legs[2].places }, looks);
 }
 }  // namespace pkm_workspace

@@ -145,7 +145,7 @@ TEST(MachineRefusal, tcpFramesApart)
 {
   expectRefused(
       withJoint(good(), "tcp_joint_2", "xyz=\"0 0 0\"", "xyz=\"0 0.0125 0\""),
-      "tcp frames of links 'tcp_1', 'tcp_2', 'tcp_3' are 0.0125 m apart at zero, expected at most 0.0001 L = 0.0001 m");
+      "tcp frames of links 'tcp_1', 'tcp_2', 'tcp_3' are 0.0125 m apart at zero, expected at most 0.01 L = 0.01 m");
   expectRefused(withJoint(good(), "parallelogram_back_3", "xyz=\"0 0 1\"", "xyz=\"0 0 1.5\""),
                 "are 0.5 m apart at zero");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "pkm_workspace/machine/machine.h"
@@ -12,4 +13,9 @@ namespace pkm_workspace
 /// @param rho joint values [m] @param aspect sign of det A, 1 or -1
 /// @return the tool point [m] with the machine's working mode in every leg, or nothing where there is no such assembly
 std::optional<Eigen::Vector3d> assemble(const Machine& machine, const Eigen::Vector3d& rho, int aspect);
+
+/// Where three spheres meet, in floating point (trilateration).
+/// @param centers one a column [m] @param radii [m] @return the two points [m], or nothing
+std::optional<std::array<Eigen::Vector3d, 2>> meetingPoints(const Eigen::Matrix3d& centers,
+                                                            const Eigen::Vector3d& radii);
 }  // namespace pkm_workspace

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "pkm_workspace/common/problems.h"
+
 namespace pkm_workspace
 {
 /// One leg with a sliding strut, by the numbers that are measured on a machine. Its own axes are those of the machine,
@@ -42,5 +44,23 @@ struct MachineDescription
   std::array<LegDescription, 3> legs;
   Eigen::Vector3d tool = Eigen::Vector3d::Zero();  ///< the tool point, seen from the platform's middle [m]
   std::optional<Mount> mount;                      ///< of the machine's frame "base_link" in the frame "world"
+
+  /// Appends a sentence for each number that no machine has.
+  void validate(Problems& problems) const;
 };
+
+/// The unit direction of a rail in the leg's own axes: (sin lean cos side, sin side, cos lean cos side). Exact for
+/// leans of 0.
+Eigen::Vector3d railDirection(const LegDescription& leg);
+
+/// The rotation from the leg's own axes to the machine's.
+Eigen::Matrix3d legAxes(const LegDescription& leg);
+
+/// The point A of the leg at a joint value, in the machine's axes [m].
+Eigen::Vector3d sliderJoint(const LegDescription& leg, double joint);
+
+/// The tool point at given joint values, in floating point: all struts in their working modes, and of two such points
+/// the lower one.
+/// @param joints [m] @return in the machine's axes [m]; nothing where the struts do not meet so
+std::optional<Eigen::Vector3d> assembledTool(const MachineDescription& machine, const Eigen::Vector3d& joints);
 }  // namespace pkm_workspace

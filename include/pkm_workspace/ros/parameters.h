@@ -29,7 +29,7 @@ struct Parameters
   /// that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
   double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
-  UrdfOptions urdf;                  ///< ~rails and ~tcp_links
+  UrdfOptions urdf;                  ///< ~rails, ~tcp_links and ~tool_link
   bool publish_joint_states = true;  ///< whether the model stands at the region's center
   bool show_paving = true;           ///< whether the markers show the set that the region lies in
   bool show_boundary = false;        ///< whether they show its undecided boxes too

@@ -16,7 +16,8 @@ namespace urdf_tolerance
 {
 constexpr double MEET = 1e-5;         ///< distance between the passive axes of one strut end [L]
 constexpr double PARALLEL = 1e-5;     ///< angle between an axis at the slider and the one that undoes it [rad]
-constexpr double COINCIDE = 1e-4;     ///< distance between the tcp frames at zero [L]
+constexpr double COINCIDE = 1e-4;     ///< distance between tcp frames that are drawn assembled at zero [L]
+constexpr double GAP = 1e-2;          ///< distance between them where the struts have to close the rest [L]
 constexpr double SINGULARITY = 1e-4;  ///< least |eta| [L] and least |det A| [L_1 L_2 L_3] at zero
 }  // namespace urdf_tolerance
 
@@ -26,6 +27,8 @@ struct UrdfOptions
   std::vector<std::string> rails;  ///< the three prismatic joints (~rails); empty: the only three there are
   std::vector<std::string>
       tcp_links;  ///< one link for each leg, in any order (~tcp_links); empty: the deepest that coincide
+  std::string tool_link =
+      "";  ///< a link fixed to the platform (~tool_link): the tool point; empty: where the legs meet
 };
 
 /// How the value of one joint follows from another: value = factor * (value of source) + offset [m, rad].
@@ -53,14 +56,17 @@ struct UrdfMachine
   Machine machine;
   std::string root_link;                    ///< frame of all numbers of the machine
   std::array<std::string, 3> slider_links;  ///< moved by the machine's three joints, in their order
-  std::array<std::string, 3> tcp_links;     ///< frames of the tool point, one for each leg
+  std::array<std::string, 3> tcp_links;     ///< where the legs meet, one link of each
+  std::string tool_point;                   ///< a phrase: which link is the tool point, and why
+  std::string gap;                          ///< a phrase: how far from assembled it is drawn at zero; empty: it is
   std::array<StrutHinges, 3> hinges;        ///< for jointValues()
   std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
   std::vector<std::string> warnings;        ///< what is in the URDF and not used, or hardly meant
   std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
 };
 
-/// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Every number of
+/// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Where it is not drawn
+/// assembled at joint values 0 to the last digit, its zero configuration is where the struts then meet. Every number of
 /// the machine encloses the exact number that the URDF's decimals, read as doubles, stand for. Legs come in the order
 /// in which the rails stand in the file or are named. Thread-safe. While urdfdom parses, the process-wide output
 /// handler of console_bridge is ours.

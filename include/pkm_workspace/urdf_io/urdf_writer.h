@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "pkm_workspace/machine/description.h"
 #include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
@@ -19,4 +20,10 @@ namespace pkm_workspace
 /// the rails are nearly parallel, nothing bounds them: the limit is then L away from the zero configuration.
 /// @throws std::invalid_argument when the joints have no names, or one name twice
 std::string writeUrdf(const Machine& machine);
+
+/// Writes a machine by its measured numbers, to be read and edited by people: a yaw and a radius lead to each rail, the
+/// strut's length and the tool are numbers of their own. The zero is solved: at joint values 0 the machine stands
+/// assembled. With a mount the root is the link "world", else "base_link".
+/// @throws std::invalid_argument when a number is out of range or the struts do not meet at joint values 0
+std::string writeUrdf(const MachineDescription& machine);
 }  // namespace pkm_workspace
