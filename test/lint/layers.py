@@ -16,7 +16,7 @@ import sys
 # Each folder, with those of its own package that it may include besides itself; "" is what stands beside the folders.
 COMMON = {"interval", "common"}
 BELOW_DEXTERITY = COMMON | {"machine"}
-CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "tasks", "study", "urdf_io"}
+CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "tasks", "study", "urdf_io", "import"}
 LAYERS = {
     "": set(),
     "interval": set(),
@@ -29,6 +29,7 @@ LAYERS = {
     "tasks": BELOW_DEXTERITY | {"dexterity", "region", "paving", "report"},
     "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
+    "import": BELOW_DEXTERITY,
     "cli": CORE,
     "ros": CORE,
     "nodes": CORE | {"ros"},

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "linear_delta.h"
+#include "reading.h"
+
+namespace pkm_workspace
+{
+namespace firmware
+{
+/// What a reader is given.
+struct Source
+{
+  const FirmwareText& text;
+  std::vector<SourceLine> lines;
+};
+
+/// One format: a new one is a file with these two functions, declared below, and a row in firmware.cpp.
+struct Format
+{
+  const char* name;
+  const char* title;  ///< for messages: "Klipper: printer.cfg"
+  bool (*recognises)(const std::vector<SourceLine>& lines);
+  void (*read)(const Source& source, Reading& reading, LinearDelta& delta);
+};
+
+bool isKlipper(const std::vector<SourceLine>& lines);
+void readKlipper(const Source& source, Reading& reading, LinearDelta& delta);
+
+/// Lines of a file that the one being read names, once for each name; told as left aside where it cannot be read.
+std::vector<SourceLine> otherLines(const Source& source, const Entry& naming, const std::string& name,
+                                   Reading& reading);
+}  // namespace firmware
+}  // namespace pkm_workspace

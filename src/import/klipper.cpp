@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <set>
+
+#include "formats.h"
+#include "ini.h"
+
+// Klipper (Klipper3d/klipper): klippy/kinematics/delta.py has towers at radius * (cos, sin)(angle), the default angles,
+// home at position_endstop + sqrt(arm^2 - radius^2) and the bounds of moves; klippy/configfile.py the comments, the
+// block of SAVE_CONFIG and its precedence; its Config_Reference.md the units.
+
+namespace pkm_workspace
+{
+namespace firmware
+{
+namespace
+{
+const IniDialect KLIPPER = { ":=", true, true, true };
+const std::string SAVED = "#*#";
+const long DEFAULT_ANGLES[] = { 210, 330, 90 };  // degrees
+
+bool beginsSaved(const SourceLine& line)
+{
+  return startsWith(line.text, SAVED + " <") && line.text.find("SAVE_CONFIG") != std::string::npos;
+}
+
+/// The lines of the block that a calibration saved, without what makes them comments.
+std::vector<SourceLine> savedLines(const std::vector<SourceLine>& lines, Reading& reading)
+{
+  std::vector<SourceLine> saved;
+  bool in_block = false;
+  for (const SourceLine& line : lines)
+  {
+    in_block = in_block || beginsSaved(line);
+    const bool is_saved = startsWith(line.text, SAVED);
+    if (in_block && is_saved)
+      saved.push_back({ line.place, line.text.substr(std::min<std::size_t>(4, line.text.size())) });
+    else if (in_block && !trimmed(line.text).empty())
+      reading.refuse(line.place, quoted(line.text),
+                     " stands after the beginning of the block of SAVE_CONFIG, whose "
+                     "lines begin with #*#: Klipper ignores the whole block then; move "
+                     "the line above it");
+    else if (!in_block && is_saved)
+      reading.refuse(line.place, quoted(line.text),
+                     " belongs to a block of SAVE_CONFIG, whose first line is missing: "
+                     "#*# <--- SAVE_CONFIG --->");
+  }
+  const auto is_heading = [](const SourceLine& line) {
+    return line.text.find("SAVE_CONFIG") != std::string::npos || startsWith(line.text, "DO NOT EDIT");
+  };
+  saved.erase(std::remove_if(saved.begin(), saved.end(), is_heading), saved.end());
+  return saved;
+}
+
+/// All lines but those of the block, with those of the files that are included in their place.
+class Includes
+{
+public:
+  Includes(const Source& source, Reading& reading) : source_(source), reading_(reading) {}
+
+  std::vector<SourceLine> linesOf(const std::vector<SourceLine>& lines)
+  {
+    std::vector<SourceLine> all;
+    for (const SourceLine& line : lines)
+    {
+      if (startsWith(line.text, SAVED))
+        continue;
+      const std::string section = sectionOf(line.text.substr(0, line.text.find('#')));
+      if (!startsWith(section, "include "))
+        all.push_back(line);
+      else
+        include(line, trimmed(section.substr(8)), all);
+    }
+    return all;
+  }
+
+private:
+  void include(const SourceLine& line, const std::string& name, std::vector<SourceLine>& all)
+  {
+    if (!names_.insert(name).second)
+      return reading_.refuse(line.place, "[include ", name, "] includes that file a second time; take the line out");
+    const Entry naming = { line.place, "include " + name, "" };
+    const std::vector<SourceLine> included = linesOf(otherLines(source_, naming, name, reading_));
+    all.insert(all.end(), included.begin(), included.end());
+  }
+
+  const Source& source_;
+  Reading& reading_;
+  std::set<std::string> names_;
+};
+
+/// What a calibration saved counts in place of what is written above.
+void addEntries(const Source& source, Reading& reading)
+{
+  const std::vector<Entry> saved = readIni(savedLines(source.lines, reading), KLIPPER, reading);
+  Includes includes(source, reading);
+  for (const Entry& entry : readIni(includes.linesOf(source.lines), KLIPPER, reading))
+  {
+    const auto same = [&](const Entry& other) { return other.key == entry.key; };
+    const auto by = std::find_if(saved.begin(), saved.end(), same);
+    if (by == saved.end())
+      reading.add(entry);
+    else
+      reading.left_aside.push_back(
+          { entry.place, entry.key, "what SAVE_CONFIG saved in line " + std::to_string(by->place.line) + " counts" });
+  }
+  for (const Entry& entry : saved)
+    reading.add(entry);
+}
+
+void checkKinematics(Reading& reading)
+{
+  const Entry* const kinematics = reading.find("printer kinematics");
+  if (kinematics == nullptr)
+    reading.miss("[printer] kinematics", "expected kinematics: delta, which is a linear delta");
+  else if (kinematics->text != "delta")
+    reading.refuse(kinematics->place, "printer kinematics = ", quoted(kinematics->text),
+                   " is no linear delta; allowed: delta");
+  else
+    reading.take(*kinematics, "a linear delta");
+}
+
+void readTower(std::size_t index, Reading& reading, LinearDelta& delta)
+{
+  Tower& tower = delta.towers[index];
+  const std::string section = tower.joint;
+  const Tower& first = delta.towers[0];
+  const bool is_first = index == 0;
+  const auto number = [&](const std::string& key, const std::string& what, const Quantity& quantity) {
+    return is_first ? reading.needed(section + " " + key, what, quantity, "write it into [stepper_a], in mm")
+                    : reading.value(section + " " + key, what, quantity);
+  };
+  tower.place = first.place;
+  if (const Entry* const arm = reading.find(section + " arm_length"))
+    tower.place = arm->place;
+  tower.radius = first.radius;
+  tower.arm = number("arm_length", "strut of " + section, MILLIMETRES);
+  tower.home = number("position_endstop", "z of the tool in the middle, with " + section + " at its endstop",
+                      SIGNED_MILLIMETRES);
+  tower.angle = reading.value(section + " angle", "direction of " + section, DEGREES);
+  if (!reading.has(section + " arm_length"))
+    tower.arm = first.arm;
+  if (!reading.has(section + " position_endstop"))
+    tower.home = first.home;
+  if (!reading.has(section + " angle"))
+    tower.angle = DEFAULT_ANGLES[index];
+}
+
+std::string reasonOf(const Entry& entry)
+{
+  if (startsWith(entry.key, "printer "))
+    return "speeds and other settings are no part of the geometry";
+  const std::string key = entry.key.substr(entry.key.find(' ') + 1);
+  if (key == "position_min" || key == "position_max")
+    return "Klipper does not use it for a delta: its limits follow from position_endstop and minimum_z_position";
+  return "drives, switches and speeds are no part of the geometry";
+}
+
+/// The section of an entry that has nothing to do with the towers; empty otherwise.
+std::string otherSection(const Entry& entry)
+{
+  const std::size_t last_blank = entry.key.find_last_of(' ');
+  const std::string section = entry.key.substr(0, last_blank);
+  const bool is_asked = section == "printer" || section == "stepper_a" || section == "stepper_b" ||
+                        section == "stepper_c" || startsWith(entry.key, "include ");
+  return is_asked ? "" : "[" + section + "]";
+}
+}  // namespace
+
+bool isKlipper(const std::vector<SourceLine>& lines)
+{
+  return std::any_of(lines.begin(), lines.end(), [](const SourceLine& line) {
+    const std::string section = sectionOf(line.text.substr(0, line.text.find('#')));
+    return section == "printer" || section == "stepper_a" || section == "stepper_x";
+  });
+}
+
+void readKlipper(const Source& source, Reading& reading, LinearDelta& delta)
+{
+  addEntries(source, reading);
+  checkKinematics(reading);
+  delta.towers[0].radius = reading.needed(
+      "printer delta_radius", "radius, across from platform joint to slider joint with the tool in the middle",
+      MILLIMETRES, "write it into [printer], in mm");
+  delta.towers[0].joint = "stepper_a";
+  delta.towers[1].joint = "stepper_b";
+  delta.towers[2].joint = "stepper_c";
+  for (std::size_t index = 0; index < delta.towers.size(); ++index)
+    readTower(index, reading, delta);
+  delta.lowest =
+      reading.value("printer minimum_z_position", "lowest z of the tool", SIGNED_MILLIMETRES).value_or(Decimal(0));
+  delta.print_radius =
+      reading.value("printer print_radius", "largest distance of the tool from the middle", MILLIMETRES);
+  if (!delta.print_radius)
+    delta.print_radius = delta.towers[0].radius;
+  for (const Tower& tower : delta.towers)
+    if (tower.arm && tower.radius && delta.print_radius && *tower.radius < *tower.arm)
+      delta.print_radius = std::min(*delta.print_radius, *tower.arm - *tower.radius);
+  reading.leaveKinds(otherSection, "no part of the geometry");
+  reading.leaveRest(reasonOf);
+}
+}  // namespace firmware
+}  // namespace pkm_workspace

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "decimal_number.h"
+#include "pkm_workspace/common/problems.h"
+#include "pkm_workspace/import/firmware.h"
+#include "source_lines.h"
+
+namespace pkm_workspace
+{
+namespace firmware
+{
+/// A value of a file, by a key that is written only once.
+struct Entry
+{
+  SourcePlace place;
+  std::string key;
+  std::string text;
+};
+
+/// What a number may be, and what it is in metres, degrees or as a share.
+struct Quantity
+{
+  const char* unit;  ///< of the file
+  Decimal least;     ///< in that unit
+  Decimal most;
+  Decimal factor;  ///< from that unit
+  const char* si;  ///< to this one
+};
+
+extern const Quantity MILLIMETRES;         ///< a length of the machine: of 1 mm at the least, so metres do not pass
+extern const Quantity SIGNED_MILLIMETRES;  ///< a height or a correction
+extern const Quantity DEGREES;
+extern const Quantity SMALL_DEGREES;  ///< a correction
+extern const Quantity PERCENT;        ///< of a slope
+
+/// What one format finds in a text: all problems, what it took and what it left aside.
+class Reading
+{
+public:
+  Problems problems;
+  std::vector<TakenValue> taken;
+  std::vector<LeftAside> left_aside;
+  /// The number that a text stands for.
+  std::function<std::optional<Decimal>(const std::string& text)> evaluate = Decimal::parse;
+  /// How numbers are written: "a decimal number without its unit".
+  std::string number_words = "a decimal number without its unit";
+
+  void add(const Entry& entry) { entries_.push_back(entry); }
+  const std::vector<Entry>& entries() const { return entries_; }
+  bool has(const std::string& key) const;
+  /// The entry of this key, or nothing; one that is there twice is a problem. It counts as seen.
+  const Entry* find(const std::string& key);
+
+  /// The number of this key in metres, degrees or as a share; nothing where it is not there or is a problem.
+  /// @param what the sentence's subject: "arm of stepper_a"
+  std::optional<Decimal> value(const std::string& key, const std::string& what, const Quantity& quantity);
+  /// The same where a machine needs it. @param remedy what to do where it is missing
+  std::optional<Decimal> needed(const std::string& key, const std::string& what, const Quantity& quantity,
+                                const std::string& remedy);
+  /// A number within the range, from the file's unit; the problem is told otherwise.
+  std::optional<Decimal> inRange(const Entry& entry, const std::string& text, const Quantity& quantity);
+
+  void take(const Entry& entry, const std::string& meaning);
+  void leave(const Entry& entry, const std::string& reason);
+  void miss(const std::string& key, const std::string& remedy);
+  template <class... Parts>
+  void refuse(const SourcePlace& place, const Parts&... parts)
+  {
+    complain(problems, toText(place), ": ", parts...);
+  }
+  /// Leaves aside what nobody asked for.
+  void leaveRest(const std::function<std::string(const Entry&)>& reason);
+  /// Leaves aside what nobody asked for of the keys that @p kind gives the same name; each such name once.
+  void leaveKinds(const std::function<std::string(const Entry&)>& kind, const std::string& reason);
+
+  std::string file;  ///< that was given
+
+private:
+  std::vector<Entry> entries_;
+  std::set<std::string> seen_;
+};
+
+/// "0.269 m".
+std::string measure(const Decimal& value, const std::string& unit);
+}  // namespace firmware
+}  // namespace pkm_workspace
