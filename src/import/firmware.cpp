@@ -20,6 +20,8 @@ constexpr std::size_t LARGEST_FIRMWARE = std::size_t(16) << 20;  ///< [bytes]
 
 constexpr Format FORMATS[] = {
   { "klipper", "Klipper's printer.cfg", isKlipper, readKlipper },
+  { "marlin", "Marlin's Configuration.h", isMarlin, readMarlin },
+  { "marlin-report", "Marlin's answer to M503 or M665", isMarlinReport, readMarlinReport },
 };
 
 std::string titles()

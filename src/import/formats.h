@@ -29,6 +29,11 @@ struct Format
 bool isKlipper(const std::vector<SourceLine>& lines);
 void readKlipper(const Source& source, Reading& reading, LinearDelta& delta);
 
+bool isMarlin(const std::vector<SourceLine>& lines);
+void readMarlin(const Source& source, Reading& reading, LinearDelta& delta);
+bool isMarlinReport(const std::vector<SourceLine>& lines);
+void readMarlinReport(const Source& source, Reading& reading, LinearDelta& delta);
+
 /// Lines of a file that the one being read names, once for each name; told as left aside where it cannot be read.
 std::vector<SourceLine> otherLines(const Source& source, const Entry& naming, const std::string& name,
                                    Reading& reading);

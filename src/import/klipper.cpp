@@ -146,7 +146,7 @@ void readTower(std::size_t index, Reading& reading, LinearDelta& delta)
     tower.angle = DEFAULT_ANGLES[index];
 }
 
-std::string reasonOf(const Entry& entry)
+std::string klipperReason(const Entry& entry)
 {
   if (startsWith(entry.key, "printer "))
     return "speeds and other settings are no part of the geometry";
@@ -197,7 +197,7 @@ void readKlipper(const Source& source, Reading& reading, LinearDelta& delta)
     if (tower.arm && tower.radius && delta.print_radius && *tower.radius < *tower.arm)
       delta.print_radius = std::min(*delta.print_radius, *tower.arm - *tower.radius);
   reading.leaveKinds(otherSection, "no part of the geometry");
-  reading.leaveRest(reasonOf);
+  reading.leaveRest(klipperReason);
 }
 }  // namespace firmware
 }  // namespace pkm_workspace

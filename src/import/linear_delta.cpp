@@ -34,6 +34,9 @@ void checkTower(const Tower& tower, const LinearDelta& delta, Reading& reading)
     reading.refuse(tower.place, "the arm of ", tower.joint, ", ", measure(*tower.arm, "m"),
                    ", must be longer than the radius that it bridges, ", measure(*tower.radius, "m"),
                    ": it reaches the middle otherwise at no height; check both");
+  if (tower.radius && !(Decimal(0) < *tower.radius))
+    reading.refuse(tower.place, "the radius of ", tower.joint, ", ", measure(*tower.radius, "m"),
+                   " with its trim, must be above 0 m; check both");
   if (tower.home && delta.lowest && !(*delta.lowest < *tower.home))
     reading.refuse(tower.place, "the tool at the switch of ", tower.joint, ", z = ", measure(*tower.home, "m"),
                    ", must be above its lowest place, z = ", measure(*delta.lowest, "m"),
