@@ -22,6 +22,8 @@ constexpr Format FORMATS[] = {
   { "klipper", "Klipper's printer.cfg", isKlipper, readKlipper },
   { "marlin", "Marlin's Configuration.h", isMarlin, readMarlin },
   { "marlin-report", "Marlin's answer to M503 or M665", isMarlinReport, readMarlinReport },
+  { "reprapfirmware", "RepRapFirmware's config.g or config-override.g", isRepRapFirmware, readRepRapFirmware },
+  { "linuxcnc", "the INI file of LinuxCNC's lineardeltakins", isLinuxCnc, readLinuxCnc },
 };
 
 std::string titles()

@@ -33,6 +33,10 @@ bool isMarlin(const std::vector<SourceLine>& lines);
 void readMarlin(const Source& source, Reading& reading, LinearDelta& delta);
 bool isMarlinReport(const std::vector<SourceLine>& lines);
 void readMarlinReport(const Source& source, Reading& reading, LinearDelta& delta);
+bool isRepRapFirmware(const std::vector<SourceLine>& lines);
+void readRepRapFirmware(const Source& source, Reading& reading, LinearDelta& delta);
+bool isLinuxCnc(const std::vector<SourceLine>& lines);
+void readLinuxCnc(const Source& source, Reading& reading, LinearDelta& delta);
 
 /// Lines of a file that the one being read names, once for each name; told as left aside where it cannot be read.
 std::vector<SourceLine> otherLines(const Source& source, const Entry& naming, const std::string& name,

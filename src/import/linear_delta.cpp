@@ -12,8 +12,8 @@ namespace firmware
 {
 namespace
 {
-const Decimal LEAST_ANGLE(1);  ///< between two towers [degrees]
-constexpr double HAIR = 1e-9;  ///< more than roots in floating point miss [m]
+constexpr double LEAST_ANGLE = 1.0;  ///< between two towers [degrees]
+constexpr double HAIR = 1e-9;        ///< more than roots in floating point miss [m]
 constexpr int MICROMETRES = 6;
 
 const Decimal& radianOfDegree()
@@ -108,7 +108,7 @@ void checkDelta(const LinearDelta& delta, Reading& reading)
     {
       const Tower& one = delta.towers[k];
       const Tower& other = delta.towers[i];
-      if (one.angle && other.angle && angleBetween(*one.angle, *other.angle) < LEAST_ANGLE.nearest())
+      if (one.angle && other.angle && angleBetween(*one.angle, *other.angle) < LEAST_ANGLE)
         reading.refuse(other.place, one.joint, " and ", other.joint, " stand at ", measure(*one.angle, "and "),
                        measure(*other.angle, "degrees"),
                        ", expected at least 1 degree between two towers: "

@@ -63,7 +63,7 @@ public:
     const std::string key = "NOZZLE_TO_PROBE_OFFSET";
     const std::string what = "z of the probe, seen from the nozzle, by which the tool homes away from DELTA_HEIGHT";
     if (!reading_.has(key))
-      return value("Z_PROBE_OFFSET_FROM_EXTRUDER", what, TRIM).value_or(0);
+      return value("Z_PROBE_OFFSET_FROM_EXTRUDER", what, TRIM_MILLIMETRES).value_or(0);
     MarlinDelta::Three offset;
     if (const Entry* const entry = isDecided(key) ? reading_.find(key) : nullptr)
       readList(*entry, "x, y and z of the probe, of which z shifts the tool's height at home,", SIGNED_MILLIMETRES,
@@ -122,9 +122,9 @@ void readGeometry(MarlinReader& marlin, Reading& reading, LinearDelta& delta)
       marlin.needed(is_old ? "MANUAL_Z_HOME_POS" : "DELTA_HEIGHT", "z of the tool at home", SIGNED_MILLIMETRES);
   numbers.probe_z = marlin.probe();
   numbers.endstop = marlin.three("DELTA_ENDSTOP_ADJ", "home below the switches:", MARLIN_ENDSTOP);
-  numbers.angle_trim = marlin.three("DELTA_TOWER_ANGLE_TRIM", "added to 210, 330 and 90 degrees:", SMALL_DEGREES);
-  numbers.radius_trim = marlin.three("DELTA_RADIUS_TRIM_TOWER", "added to the radius:", TRIM);
-  numbers.rod_trim = marlin.three("DELTA_DIAGONAL_ROD_TRIM_TOWER", "added to the struts:", TRIM);
+  numbers.angle_trim = marlin.three("DELTA_TOWER_ANGLE_TRIM", "added to 210, 330 and 90 degrees:", TRIM_DEGREES);
+  numbers.radius_trim = marlin.three("DELTA_RADIUS_TRIM_TOWER", "added to the radius:", TRIM_MILLIMETRES);
+  numbers.rod_trim = marlin.three("DELTA_DIAGONAL_ROD_TRIM_TOWER", "added to the struts:", TRIM_MILLIMETRES);
   if (const Entry* const rod = reading.find("DELTA_DIAGONAL_ROD"))
     numbers.place = rod->place;
   applyMarlin(numbers, delta);

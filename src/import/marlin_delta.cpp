@@ -5,9 +5,6 @@ namespace pkm_workspace
 {
 namespace firmware
 {
-const Quantity MARLIN_ENDSTOP = { "mm", -100, 0, Decimal(1, -3), "m" };
-const Quantity TRIM = { "mm", -100, 100, Decimal(1, -3), "m" };
-
 namespace
 {
 constexpr long MARLIN_ANGLES[] = { 210, 330, 90 };  // degrees

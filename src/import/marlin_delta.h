@@ -10,8 +10,7 @@ namespace pkm_workspace
 {
 namespace firmware
 {
-extern const Quantity MARLIN_ENDSTOP;  ///< [mm], none above 0
-extern const Quantity TRIM;            ///< of a length [mm]
+constexpr Quantity MARLIN_ENDSTOP = { "mm", -100, 0, 1, -3, "m" };
 
 /// The numbers of Marlin's delta, wherever they come from. In degrees and metres.
 struct MarlinDelta

@@ -59,11 +59,12 @@ void readMarlinReport(const Source& source, Reading& reading, LinearDelta& delta
                                   "releases before 1.1.3 do not report it: write H and z at home [mm] into the line");
   if (const Entry* const rod = reading.find("M665 L"))
     numbers.place = rod->place;
-  numbers.angle_trim = threeWords("M665", "XYZ", "trim of the angle", SMALL_DEGREES, reading);
+  numbers.angle_trim = threeWords("M665", "XYZ", "trim of the angle", TRIM_DEGREES, reading);
   if (reading.has("M665 A") || reading.has("M665 C"))
-    numbers.rod_trim = threeWords("M665", "ABC", "trim of the strut", TRIM, reading);
+    numbers.rod_trim = threeWords("M665", "ABC", "trim of the strut", TRIM_MILLIMETRES, reading);
   numbers.endstop = threeWords("M666", "XYZ", "home below the switch", MARLIN_ENDSTOP, reading);
-  numbers.probe_z = reading.value("M851 Z", "z of the probe, by which the tool homes away from H", TRIM).value_or(0);
+  numbers.probe_z =
+      reading.value("M851 Z", "z of the probe, by which the tool homes away from H", TRIM_MILLIMETRES).value_or(0);
   applyMarlin(numbers, delta);
   delta.lowest = 0;
   for (const char* const key : { "DELTA_RADIUS_TRIM_TOWER", "Z_MIN_POS" })

@@ -10,12 +10,6 @@ namespace pkm_workspace
 {
 namespace firmware
 {
-const Quantity MILLIMETRES = { "mm", 1, 100000, Decimal(1, -3), "m" };
-const Quantity SIGNED_MILLIMETRES = { "mm", -100000, 100000, Decimal(1, -3), "m" };
-const Quantity DEGREES = { "degrees", -360, 360, 1, "degrees" };
-const Quantity SMALL_DEGREES = { "degrees", -30, 30, 1, "degrees" };
-const Quantity PERCENT = { "%", -20, 20, Decimal(1, -2), "m for each metre" };
-
 std::string measure(const Decimal& value, const std::string& unit)
 {
   return exact(value.nearest()) + " " + unit;
@@ -49,11 +43,11 @@ std::optional<Decimal> Reading::inRange(const Entry& entry, const std::string& t
   const std::optional<Decimal> number = evaluate(text);
   if (!number)
     refuse(entry.place, entry.key, " = ", quoted(text), " is no number; allowed: ", number_words, ", ", range);
-  else if (*number < quantity.least || quantity.most < *number)
+  else if (*number < Decimal(quantity.least) || Decimal(quantity.most) < *number)
     refuse(entry.place, entry.key, " = ", quoted(text), " ", quantity.unit, " is out of range; allowed: ", range,
            "; check its unit and its point");
   else
-    return *number * quantity.factor;
+    return *number * Decimal(quantity.factor, quantity.exponent);
   return std::nullopt;
 }
 

@@ -28,17 +28,21 @@ struct Entry
 struct Quantity
 {
   const char* unit;  ///< of the file
-  Decimal least;     ///< in that unit
-  Decimal most;
-  Decimal factor;  ///< from that unit
-  const char* si;  ///< to this one
+  long least;        ///< in that unit
+  long most;
+  long factor;  ///< from that unit to the other one: factor * 10^exponent
+  int exponent;
+  const char* si;  ///< metres, degrees, a share
 };
 
-extern const Quantity MILLIMETRES;         ///< a length of the machine: of 1 mm at the least, so metres do not pass
-extern const Quantity SIGNED_MILLIMETRES;  ///< a height or a correction
-extern const Quantity DEGREES;
-extern const Quantity SMALL_DEGREES;  ///< a correction
-extern const Quantity PERCENT;        ///< of a slope
+constexpr Quantity MILLIMETRES = {
+  "mm", 1, 100000, 1, -3, "m"
+};  ///< a length; not below 1, so that metres do not pass
+constexpr Quantity SIGNED_MILLIMETRES = { "mm", -100000, 100000, 1, -3, "m" };  ///< a height
+constexpr Quantity TRIM_MILLIMETRES = { "mm", -100, 100, 1, -3, "m" };          ///< added to a length or a height
+constexpr Quantity DEGREES = { "degrees", -360, 360, 1, 0, "degrees" };
+constexpr Quantity TRIM_DEGREES = { "degrees", -30, 30, 1, 0, "degrees" };  ///< added to a direction
+constexpr Quantity PERCENT = { "%", -20, 20, 1, -2, "m for each metre" };   ///< of a slope
 
 /// What one format finds in a text: all problems, what it took and what it left aside.
 class Reading

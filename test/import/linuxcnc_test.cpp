@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "expect_import.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+const std::string& ini()
+{
+  static const std::string text = sample("ldelta.ini");
+  return text;
+}
+
+FirmwareMachine importedWith(const std::string& text, const std::string& hal)
+{
+  return importFirmware({ "machine.ini", text, [&](const std::string& name) {
+                           return name == "ldelta.hal" ? std::optional<std::string>(hal) : std::nullopt;
+                         } });
+}
+
+void expectRefusedWith(const std::string& text, const std::string& hal, const std::string& pattern)
+{
+  SCOPED_TRACE(pattern);
+  expectThrow<std::invalid_argument>([&] { importedWith(text, hal); }, pattern);
+}
+
+void expectIniEditsRefused(const std::vector<Spoil>& spoils)
+{
+  for (const Spoil& spoil : spoils)
+    expectRefusedWith(edited(ini(), spoil.was, spoil.is), sample("ldelta.hal"), spoil.pattern);
+}
+
+/// lineardeltakins-common.h: set_geometry() and kinematics_inverse(). [mm]
+Carriages lineardeltakins(double l, double r, const std::array<double, 3>& offsets = {})
+{
+  return [=](double x, double y, double z) {
+    const double sin60 = std::sqrt(3.0) / 2.0;
+    const auto joint = [&](double tower_x, double tower_y) {
+      return z + std::sqrt(l * l - (tower_x - x) * (tower_x - x) - (tower_y - y) * (tower_y - y));
+    };
+    return std::array<double, 3>{ joint(0, r) + offsets[0], joint(-sin60 * r, -0.5 * r) + offsets[1],
+                                  joint(sin60 * r, -0.5 * r) + offsets[2] };
+  };
+}
+
+TEST(LinuxCnc, IsTheFirmware_sMachine)
+{
+  const FirmwareMachine machine =
+      importFirmwareFile(std::string(PKM_WORKSPACE_SOURCE_DIR) + "/test/data/firmware/ldelta.ini");
+  EXPECT_EQ(machine.format, "linuxcnc");
+  expectSameKinematics(machine.machine, 70.0, lineardeltakins(269.0, 130.25));
+  const double upper[] = { 0.5405, 0.540125, 0.54 };
+  const double lower[] = { 0.04, 0.04, 0.0395 };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(machine.machine.legs[i].lower, lower[i]);
+    EXPECT_EQ(machine.machine.legs[i].upper, upper[i]);
+    EXPECT_EQ(machine.machine.legs[i].joint, "joint_" + std::to_string(i));
+  }
+}
+
+TEST(LinuxCnc, InchesAreExact)
+{
+  std::string text = edited(ini(), "LINEAR_UNITS = mm", "LINEAR_UNITS = inch");
+  text = edited(text, "ROD = 269.0", "ROD = 10.5");
+  const FirmwareMachine machine = importedWith(text, edited(sample("ldelta.hal"), "sets R 130.25", "sets R 5.1"));
+  expectSameKinematics(machine.machine, 70.0, lineardeltakins(266.7, 129.54));
+  EXPECT_EQ(machine.machine.legs[0].length, 0.2667);
+  EXPECT_EQ(machine.machine.legs[2].lower, 1.0033);
+}
+
+TEST(LinuxCnc, OffsetsOfJointsMoveTheirZero)
+{
+  const std::string hal =
+      "setp lineardeltakins.L 269\nsetp lineardeltakins.R 130.25\nsetp lineardeltakins.J1off -3.5\n";
+  expectSameKinematics(importedWith(ini(), hal).machine, 70.0, lineardeltakins(269.0, 130.25, { 0, -3.5, 0 }));
+}
+
+TEST(LinuxCnc, JointsOfOldReleasesAreAxes)
+{
+  std::string text = ini();
+  for (const char* const joint : { "[JOINT_0]", "[JOINT_1]", "[JOINT_2]" })
+    text = edited(text, joint, "[AXIS_" + std::string(joint).substr(7));
+  EXPECT_EQ(importedWith(text, sample("ldelta.hal")).machine.legs[2].lower, 0.0395);
+}
+
+TEST(LinuxCnc, DefaultsCountWhereNothingElseCan)
+{
+  const FirmwareMachine machine = importedWith(ini(), "loadrt lineardeltakins\n");
+  expectSameKinematics(machine.machine, 70.0, lineardeltakins(269.0, 130.25));
+  EXPECT_EQ(meaningOf(machine, "lineardeltakins.L"), "struts: 0.269 m, the default");
+  expectImportRefused(ini(), "lineardeltakins.L is missing; put the HAL files beside the INI file");
+  expectRefusedWith(edited(ini(), "HALUI = halui", "HALFILE = more.tcl"), "loadrt lineardeltakins\n",
+                    "lineardeltakins.R is missing");
+}
+
+TEST(LinuxCnc, TellsWhatItTookAndWhatNot)
+{
+  const FirmwareMachine machine = importedWith(ini(), sample("ldelta.hal"));
+  EXPECT_EQ(meaningOf(machine, "lineardeltakins.R"), "radius, across from effector joint to carriage joint: 0.13025 m");
+  EXPECT_EQ(machine.taken.at(2).place.file, "ldelta.hal");
+  EXPECT_EQ(reasonFor(machine, "AXIS_Z MIN_LIMIT"), "a limit of the tool, not of a carriage");
+  EXPECT_NE(reasonFor(machine, "JOINT_0 HOME_OFFSET"), "");
+  EXPECT_NE(reasonFor(machine, "[EMC]"), "");
+  EXPECT_NE(reasonFor(machine, "HAL HALFILE"), "");
+}
+
+TEST(LinuxCnc, MalformedIniFilesAreRefused)
+{
+  expectIniEditsRefused({
+      { "= lineardeltakins", "= trivkins", "ini:16: KINS KINEMATICS = 'trivkins' is no linear delta; allowed: linear" },
+      { "= lineardeltakins", "= rotarydeltakins", "'rotarydeltakins' is no linear delta" },
+      { "KINEMATICS = lineardeltakins\n", "", "\\[KINS\\] KINEMATICS is missing; expected lineardeltakins" },
+      { "LINEAR_UNITS = mm\n", "", "\\[TRAJ\\] LINEAR_UNITS is missing; expected mm or inch" },
+      { "LINEAR_UNITS = mm", "LINEAR_UNITS = furlong", "'furlong' is no unit; allowed: mm, inch" },
+      { "[KINS]", "[KINS", "ini:15: '\\[KINS' begins a section that has no name or no end" },
+      { "JOINTS = 3", "JOINTS", "ini:17: 'JOINTS' is neither a \\[section\\] nor a key with a value" },
+      { "MAX_LIMIT = 540.5\n", "", "JOINT_0 MAX_LIMIT is missing; write it into \\[JOINT_0\\]" },
+      { "MIN_LIMIT = 39.5\n", "", "JOINT_2 MIN_LIMIT is missing" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 600\n",
+        "upper limit of joint_2, 0.54 m, must be above the lower one, 0.6 m" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = -1e99\n", "no number; allowed|out of range" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = low\n", "ini:35: JOINT_2 MIN_LIMIT = 'low' is no number" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 39.5 mm\n", "'39.5 mm' is no number" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 39.5\nMIN_LIMIT = 40\n", "JOINT_2 MIN_LIMIT is given twice" },
+      { "MAX_LIMIT = 540.125", "MAX_LIMIT = inf", "'inf' is no number" },
+      { "MAX_LIMIT = 540.125", "MAX_LIMIT =", "JOINT_1 MAX_LIMIT = '' is no number" },
+      { "ROD = 269.0", "ROD = 0.269", "lineardeltakins.L = '0.269' mm is out of range; allowed: from 1 to 100000 mm" },
+      { "ROD = 269.0", "ROD = 100",
+        "arm of joint_0, 0.1 m, must be longer than the radius that it bridges, 0.13025 m" },
+      { "ROD = 269.0", "BAR = 269.0", "hal:6: lineardeltakins.L = '\\[DELTA\\]ROD' is no number" },
+  });
+}
+
+TEST(LinuxCnc, MalformedHalFilesAreRefused)
+{
+  for (const Spoil& spoil :
+       std::vector<Spoil>{ { "130.25", "thirteen", "ldelta.hal:5: lineardeltakins.R = 'thirteen' is no number" },
+                           { "130.25", "-130.25", "'-130.25' mm is out of range" },
+                           { "130.25", "nan", "'nan' is no number" },
+                           { "sets R 130.25", "sets R 130.25\nsets R 131",
+                             "lineardeltakins.R is given twice: '130.25' in ldelta.hal:5" },
+                           { "sets R 130.25", "setp lineardeltakins.R1off 2\nsets R 130.25",
+                             "R1off = '2' changes the kinematics in a way" },
+                           { "[DELTA]ROD", "[DELTA]RODS", "'\\[DELTA\\]RODS' is no number" },
+                           { "[DELTA]ROD", "", "lineardeltakins.L = '' is no number" } })
+    expectRefusedWith(ini(), edited(sample("ldelta.hal"), spoil.was, spoil.is), spoil.pattern);
+}
+}  // namespace
+}  // namespace test
+}  // namespace pkm_workspace
