@@ -158,6 +158,8 @@ void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out
   options.parse(words);
   for (const std::string& warning : command->warnings())
     err << "pkm: warning: " << warning << std::endl;
+  for (const std::string& note : command->notes())
+    err << "pkm: note: " << note << std::endl;
   printAndSave(*command, json, out);
 }
 

@@ -55,7 +55,7 @@ public:
         "centers", centers_,
         "in place of --center, centers that a box of --sides may have: tells whether all, none or some carry it");
     body_.declare(options);
-    declareCriterion(options, criterion_);
+    declareCriterion(options, criterion_, machine_);
     budget_.max_boxes = DEFAULT_CHECK_BOXES;
     options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
     declareTimeLimit(options, budget_.time_limit);
@@ -76,6 +76,7 @@ public:
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Answer answer() override
   {

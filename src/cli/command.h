@@ -47,6 +47,8 @@ public:
   virtual void declare(Options& options) = 0;
   /// What in the input is not used, for standard error. @pre the options have been parsed
   virtual Words warnings() const { return {}; }
+  /// What it chose by itself, for standard error. @pre the options have been parsed
+  virtual Words notes() const { return {}; }
   /// What its options can do about a question without a bounded answer.
   virtual Remedy remedy() const { return { "--joint-limits on", "" }; }
   /// What is long refers to the command. @pre the options have been parsed

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/fitting_bounds.h"
 
 namespace pkm_workspace
 {
@@ -165,6 +166,41 @@ void declareCriterion(Options& options, Criterion& criterion)
   options.check(all, [&criterion, &options](Problems& problems) {
     const auto origin = [&](const std::string& name) { return options.given(optionOf(name)) ? "" : "the default"; };
     validateCriterion(criterion, origin, problems);
+  });
+}
+
+void declareCriterion(Options& options, Criterion& criterion, MachineOptions& machine,
+                      const std::function<bool()>& counts)
+{
+  declareCriterion(options, criterion);
+  options.words(
+      "psi", "auto",
+      "in place of --psi-min and --psi-max: bounds [1/f, f], f twice as much as at the best point of the machine",
+      [](const Words& words) { readChoice(words[0], { "auto" }); });
+  Words names = criterionOptions();
+  names.insert(names.end(), { "psi", "urdf", "rails", "tcp-links", "tool-link" });
+  options.check(names, [&criterion, &options, &machine, counts](Problems& problems) {
+    const bool is_given = options.given("psi-min") || options.given("psi-max");
+    if (options.given("psi") && (is_given || criterion.set == Criterion::Set::REACHABLE))
+      problems.push_back(
+          "--psi auto chooses the bounds of a dextrous set: leave out --psi-min, --psi-max and --set "
+          "reachable");
+    else if (options.given("psi"))
+      try
+      {
+        criterion = withFittingBounds(machine.machine(), criterion);
+        machine.note(describe(*fittingBounds(machine.machine(), criterion)));
+      }
+      catch (const std::invalid_argument& reason)
+      {
+        problems.push_back(reason.what());
+      }
+    else if (!is_given && counts())
+    {
+      const std::string remark = remarkOnDefaultBounds(machine.machine(), criterion, "--psi auto");
+      if (!remark.empty())
+        machine.remark(remark);
+    }
   });
 }
 

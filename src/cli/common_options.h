@@ -24,12 +24,24 @@ public:
   void declare(Options& options);
   /// @pre the options have been parsed
   const Machine& machine() const { return urdf_->machine; }
-  Words warnings() const { return remarksOn(*urdf_); }
+  Words warnings() const
+  {
+    Words all = remarksOn(*urdf_);
+    all.insert(all.end(), remarks_.begin(), remarks_.end());
+    return all;
+  }
+  const Words& notes() const { return notes_; }
+  /// Adds to the warnings.
+  void remark(const std::string& text) { remarks_.push_back(text); }
+  /// Adds to the notes.
+  void note(const std::string& text) { notes_.push_back(text); }
 
 private:
   std::string path_;
   UrdfOptions names_;
   std::optional<UrdfMachine> urdf_;
+  Words remarks_;
+  Words notes_;
 };
 
 /// The same for several machines: --urdf once for each of them, with names of its own after it.
@@ -73,6 +85,12 @@ private:
 
 /// --set, --aspect, one option for each bound, --joint-limits. Sets the criterion, the default too.
 void declareCriterion(Options& options, Criterion& criterion);
+/// The same for one machine, with --psi auto: remarks on the bounds that it chose, and on default ones that do not suit
+/// the machine. @pre the machine's options are declared before @param counts whether the question has a criterion at
+/// all
+void declareCriterion(
+    Options& options, Criterion& criterion, MachineOptions& machine,
+    const std::function<bool()>& counts = [] { return true; });
 /// Their names.
 Words criterionOptions();
 

@@ -34,9 +34,11 @@ public:
   {
     machine_.declare(options);
     region_.declare(options, task_.region);
-    declareCriterion(options, task_.criterion);
+    declareCriterion(options, task_.criterion, machine_, [this] { return !task_.region; });
     options.check({ "center" }, [this, &options](Problems& problems) {
-      for (const std::string& name : criterionOptions())
+      Words names = criterionOptions();
+      names.push_back("psi");
+      for (const std::string& name : names)
         if (task_.region && options.given(name))
           problems.push_back("all points of a region count: leave out --" + name);
     });
@@ -46,6 +48,7 @@ public:
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Remedy remedy() const override { return { "--joint-limits on", REGION_REMEDY }; }
 

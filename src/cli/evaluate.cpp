@@ -104,12 +104,13 @@ public:
       if (point_.has_value() != points_.empty())
         problems.push_back("give either --point X Y Z, or --points FILE with one point or more");
     });
-    declareCriterion(options, criterion_);
+    declareCriterion(options, criterion_, machine_);
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Answer answer() override
   {

@@ -83,7 +83,7 @@ public:
   {
     machine_.declare(options);
     shape_.declare(options, query_);
-    declareCriterion(options, query_.criterion);
+    declareCriterion(options, query_.criterion, machine_);
     accuracy_.declare(options,
                       "largest difference between the proved size and its upper bound (of a box: in factors; of a "
                       "cylinder of free ratio: by how much its height would grow with its volume)");
@@ -99,6 +99,7 @@ public:
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Remedy remedy() const override { return { "--joint-limits on", "a --search-box within 1000 struts" }; }
 

@@ -67,11 +67,24 @@ void Options::texts(const std::string& name, Words& target, const std::string& v
   add(name, values, help, [&target](const Words& words) { target = readTexts(words); });
 }
 
+void Options::words(const std::string& name, const std::string& values, const std::string& help,
+                    const std::function<void(const Words&)>& read)
+{
+  add(name, values, help, [read](const Words& all) { read(readTexts(all)); });
+}
+
 void Options::repeated(const std::string& name, const std::string& values, const std::string& help,
                        const std::function<void(const Words&)>& read)
 {
-  add(name, values, help + "; may be given several times", [read](const Words& words) { read(readTexts(words)); });
+  words(name, values, help + "; may be given several times", read);
   options_.back().repeatable = true;
+}
+
+void Options::legs(const std::string& name, const std::string& values, const std::string& help,
+                   const std::function<void(const Words&)>& read)
+{
+  words(name, values, help + "; for all legs, or three times", read);
+  options_.back().for_each_leg = true;
 }
 
 void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)

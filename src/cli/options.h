@@ -40,6 +40,13 @@ public:
   /// May be given several times. @p read may throw std::invalid_argument with the reason.
   void repeated(const std::string& name, const std::string& values, const std::string& help,
                 const std::function<void(const Words&)>& read);
+  /// Takes the words that @p values names. @p read may throw std::invalid_argument with the reason.
+  void words(const std::string& name, const std::string& values, const std::string& help,
+             const std::function<void(const Words&)>& read);
+  /// Takes the words that @p values names for all legs, or three times as many, leg after leg. @p read gets them as
+  /// given, and may throw std::invalid_argument with the reason.
+  void legs(const std::string& name, const std::string& values, const std::string& help,
+            const std::function<void(const Words&)>& read);
   void number(const std::string& name, double& target, const Quantity& quantity, const std::string& help);
   void number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
               const std::string& help);
@@ -80,6 +87,7 @@ private:
     std::string help;
     Reader read;
     bool repeatable = false;
+    bool for_each_leg = false;
     bool required = false;
     bool given = false;
     bool refused = false;

@@ -40,9 +40,11 @@ void Options::Option::set(const Words& new_words, Problems& problems)
   refused = true;
   if (again)
     problems.push_back(asGiven() + ": the option is given a second time");
-  else if (words.size() != count)
+  else if (words.size() != count && !(for_each_leg && words.size() == 3 * count))
     problems.push_back(asGiven() + ": needs " + (count == 1 ? "one value" : std::to_string(count) + " values") +
-                       (count == 0 ? "" : " (" + values + ")") + ", got " + std::to_string(words.size()));
+                       (count == 0 ? "" : " (" + values + ")") +
+                       (for_each_leg ? ", or that for each of three legs" : "") + ", got " +
+                       std::to_string(words.size()));
   else
     try
     {

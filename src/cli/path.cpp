@@ -94,11 +94,12 @@ public:
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
-    declareCriterion(options, criterion_);
+    declareCriterion(options, criterion_, machine_);
     options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Answer answer() override
   {

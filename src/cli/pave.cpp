@@ -53,7 +53,7 @@ public:
     options.box("box", query_.box,
                 "what to look at; without it, the whole workspace, or its section through the zero configuration "
                 "where nothing changes along the rails");
-    declareCriterion(options, query_.criterion);
+    declareCriterion(options, query_.criterion, machine_);
     declareBudget(options, query_.budget);
     declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
     options.text(
@@ -69,6 +69,7 @@ public:
   }
 
   Words warnings() const override { return machine_.warnings(); }
+  Words notes() const override { return machine_.notes(); }
 
   Remedy remedy() const override { return { "--joint-limits on", "a --box" }; }
 

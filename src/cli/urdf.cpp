@@ -7,6 +7,8 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/import/machine_draft.h"
+#include "pkm_workspace/import/machine_file.h"
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
@@ -17,7 +19,7 @@ namespace cli
 {
 namespace
 {
-/// What may be given of a machine; what is not given follows from the rest.
+/// What may be given of a machine of the catalogue; what is not given follows from the rest.
 struct Dimensions
 {
   double length = 1.0;                    ///< L [m]
@@ -61,75 +63,200 @@ const NamedMachine& find(const std::string& name)
   return *std::find_if(std::begin(MACHINES), std::end(MACHINES), [&](const NamedMachine& m) { return m.name == name; });
 }
 
+/// "rail-radius" of "rail_radius".
+std::string optionName(const DraftKey& key)
+{
+  std::string name = key.name;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Quantity quantityOf(const DraftKey& key)
+{
+  const std::string name = key.name;
+  if (name == "length" || name == "rail_radius" || name == "platform_radius")
+    return LENGTH_POSITIVE;
+  return key.kind == DraftKey::Kind::LENGTH ? LENGTH : Quantity{ key.kind == DraftKey::Kind::ANGLE ? "degrees" : "" };
+}
+
 class Urdf : public Command
 {
 public:
   std::string description() const override
   {
-    return "Writes the URDF of a machine of the catalogue, to standard output or to a file. It can be read by "
-           "the other commands and by the node, and shown by rviz.";
+    return "Writes the URDF of a machine: from the numbers that you measured on it (--linear-delta, or a machine file: "
+           "--template writes one to fill in, --from reads it), or from the catalogue (--orthoglide, --uranesx, which "
+           "is "
+           "a linear delta, --machine). The zero configuration is solved. The URDF can be read by the other commands "
+           "and by the node, and is shown by rviz. Angles are degrees here, lengths metres.";
   }
 
   Words examples() const override
   {
-    return { "pkm urdf --machine orthoglide --length 0.31058 --output orthoglide.urdf",
-             "pkm urdf --machine uranesx --lambda 0.05",
-             "pkm urdf --machine uranesx --length 0.25 --rail-radius 0.12 --platform-radius 0.03" };
+    return { "pkm urdf --linear-delta --rail-radius 0.13 --platform-radius 0.03 --length 0.269 --travel 0 0.35",
+             "pkm urdf --template --output machine.yaml", "pkm urdf --from machine.yaml --output machine.urdf",
+             "pkm urdf --orthoglide --length 0.31058 --output orthoglide.urdf", "pkm urdf --uranesx --lambda 0.05" };
   }
 
   void declare(Options& options) override
   {
-    options.choice("machine", machine_, machineNames(), "which machine");
-    options.number("length", given_.length, LENGTH_POSITIVE, "strut length L");
-    options.number("rail-radius", given_.rail_radius, LENGTH_POSITIVE,
-                   "uranesx: radius R of the circle of the rails, R - r below L; without it, (7/13 + lambda) L");
-    options.number("platform-radius", given_.platform_radius, LENGTH_POSITIVE,
-                   "uranesx: radius r of the platform, below R; without it, 3/26 L");
-    options.number("lambda", given_.lambda, Quantity(),
-                   "uranesx: the paper's lambda, in place of --rail-radius; without it, 0");
+    declareSources(options);
     declareOutput(options, "output", output_, "file to write; without it, standard output");
-    options.require({ "machine" });
-    options.check({ "rail-radius", "lambda" }, [this](Problems& problems) {
-      if (given_.rail_radius && given_.lambda)
+    options.number("lambda", given_.lambda, Quantity(),
+                   "uranesx: the paper's lambda, R = (7/13 + lambda) L, in place of --rail-radius; without it, 0");
+    options.text("name", draft_.name, "NAME", "name of a machine by its numbers; without it, machine");
+    for (const DraftKey& key : legKeys())
+      declareLegs(options, key);
+    for (const DraftKey& key : machineKeys())
+      declareMachine(options, key);
+    options.check({ "rail-radius", "lambda" }, [this, &options](Problems& problems) {
+      if (options.given("rail-radius") && given_.lambda)
         problems.push_back("only one of the two can be given");
     });
-    for (const std::string& dimension : find("uranesx").dimensions)
-      options.check({ "machine", dimension }, [this, &options, dimension](Problems& problems) {
-        const Words& known = find(machine_).dimensions;
-        if (options.given(dimension) && std::find(known.begin(), known.end(), dimension) == known.end())
-          problems.push_back("this machine has no such dimension");
-      });
-    options.check({ "machine", "length", "rail-radius", "platform-radius", "lambda" },
-                  [this](Problems& problems) { makeMachine(problems); });
+    options.check(allNames(), [this, &options](Problems& problems) { make(options, problems); });
   }
 
   Answer answer() override
   {
-    const std::string urdf = writeUrdf(*made_);
-    Json json = contextOf(readUrdf(urdf).machine);
+    const std::string text = is_template_ ? machineFileTemplate() : urdf_;
+    Json json = is_template_ ? Json() : contextOf(readUrdf(urdf_).machine);
     if (output_.empty())
     {
-      json["urdf"] = urdf;
-      return { json, urdf };
+      json[is_template_ ? "machine_file" : "urdf"] = text;
+      return { json, text };
     }
     try
     {
-      writeWholeFile(output_, urdf);
+      writeWholeFile(output_, text);
     }
     catch (const std::invalid_argument& reason)
     {
       throw Failure(std::string("--output ") + reason.what());
     }
     json["output"] = output_;
-    return { json, "Wrote machine '" + made_->name() + "' to " + output_ + "\n" };
+    const std::string what = is_template_ ? "a machine file" : "machine '" + std::string(json["machine"]) + "'";
+    const std::string next = is_template_ ? "Fill it in, then: pkm urdf --from " + output_ + " --output machine.urdf\n"
+                                          : "Ask: pkm largest --urdf " + output_ + " --psi auto\nLook: roslaunch " +
+                                                "pkm_workspace machine.launch urdf:=" + output_ + "\n";
+    return { json, "Wrote " + what + " to " + output_ + "\n" + next };
   }
 
 private:
-  void makeMachine(Problems& problems)
+  void declareSources(Options& options)
+  {
+    options.flag("linear-delta", is_delta_,
+                 "a machine by its numbers, from --rail-radius, --length and --travel on; said by these alone, too");
+    options.text("from", file_, "FILE", "a machine file (YAML)");
+    options.flag("template", is_template_, "writes a machine file to fill in, with comments");
+    options.flag("orthoglide", is_orthoglide_, "the Orthoglide of the paper, --length");
+    options.flag("uranesx", is_uranesx_,
+                 "the UraneSX of the paper, a linear delta: --length, --rail-radius (without it, (7/13 + lambda) L), "
+                 "--platform-radius (without it, 3/26 L), --lambda");
+    options.choice("machine", machine_, machineNames(), "a machine of the catalogue by its name");
+  }
+
+  void declareLegs(Options& options, const DraftKey& key)
+  {
+    const std::string name = optionName(key);
+    const Quantity quantity = quantityOf(key);
+    const bool is_name = key.kind == DraftKey::Kind::NAME;
+    const std::string help = key.help + (is_name ? std::string() : "; " + quantity.describe());
+    options.legs(name, key.values, help, [this, &key, name, quantity, is_name](const Words& words) {
+      if (!is_name)
+        readNumbers(words, quantity);
+      for (std::size_t leg = 0; leg < 3; ++leg)
+      {
+        const std::size_t first = words.size() == key.size ? 0 : leg * key.size;
+        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(first);
+        if (!is_name || words.size() == 3)
+          draft_.setLeg(leg, key, { begin, begin + static_cast<std::ptrdiff_t>(key.size) }, "--" + name);
+      }
+      setDimension(key.name, words);
+    });
+  }
+
+  /// The same number of a machine of the catalogue.
+  void setDimension(const std::string& name, const Words& words)
+  {
+    if (name == "length")
+      given_.length = readNumbers(words, LENGTH_POSITIVE)[0];
+    else if (name == "rail_radius")
+      given_.rail_radius = readNumbers(words, LENGTH_POSITIVE)[0];
+    else if (name == "platform_radius")
+      given_.platform_radius = readNumbers(words, LENGTH_POSITIVE)[0];
+    differ_ = differ_ || words.size() == 3;
+  }
+
+  void declareMachine(Options& options, const DraftKey& key)
+  {
+    const std::string name = optionName(key);
+    const Quantity quantity = quantityOf(key);
+    options.words(name, key.values, std::string(key.help) + "; each " + quantity.describe(),
+                  [this, &key, name, quantity](const Words& words) {
+                    readNumbers(words, quantity);
+                    draft_.setMachine(key, words, "--" + name);
+                  });
+  }
+
+  static Words allNames()
+  {
+    Words names = { "linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "name" };
+    for (const auto* const keys : { &legKeys(), &machineKeys() })
+      for (const DraftKey& key : *keys)
+        names.push_back(optionName(key));
+    return names;
+  }
+
+  /// Chooses the one source that was asked for.
+  void make(const Options& options, Problems& problems)
+  {
+    if (is_orthoglide_ || is_uranesx_)
+      machine_ = is_orthoglide_ ? "orthoglide" : "uranesx";
+    const int named = is_orthoglide_ + is_uranesx_ + options.given("machine");
+    const int sources = is_delta_ + options.given("from") + is_template_ + named;
+    if (sources > 1)
+      problems.push_back(
+          "only one of --linear-delta, --from, --template, --orthoglide, --uranesx and --machine can be "
+          "given");
+    else if (sources == 0 && draft_.isEmpty())
+      problems.push_back(
+          "which machine? Give its numbers (--linear-delta --rail-radius R --length L --travel LO HI), a "
+          "machine file (--from FILE; --template writes one), or --machine " +
+          joined(machineNames(), "|"));
+    else if (named == 1)
+      makeNamed(options, problems);
+    else if (options.given("from") || is_template_)
+      makeFromFile(options, problems);
+    else
+      tryTo([this] { urdf_ = writeUrdf(draft_.finished()); }, problems);
+  }
+
+  void makeNamed(const Options& options, Problems& problems)
+  {
+    const Words& known = find(machine_).dimensions;
+    for (const std::string& name : allNames())
+      if (options.given(name) && name != "machine" && name != machine_ &&
+          std::find(known.begin(), known.end(), name) == known.end())
+        problems.push_back("this machine has no such dimension: --" + name);
+    if (differ_)
+      problems.push_back("the legs of this machine are alike; give --linear-delta for legs that differ");
+    if (problems.empty())
+      tryTo([this] { urdf_ = writeUrdf(find(machine_).make(given_)); }, problems);
+  }
+
+  void makeFromFile(const Options& options, Problems& problems)
+  {
+    if (!draft_.isEmpty() || given_.lambda || options.given("name"))
+      problems.push_back(std::string("numbers and a machine file cannot be given together: write them into the file"));
+    else if (!is_template_)
+      tryTo([this] { urdf_ = writeUrdf(readMachineFile(file_)); }, problems);
+  }
+
+  static void tryTo(const std::function<void()>& act, Problems& problems)
   {
     try
     {
-      made_ = find(machine_).make(given_);
+      act();
     }
     catch (const std::invalid_argument& reason)
     {
@@ -137,10 +264,17 @@ private:
     }
   }
 
+  bool is_delta_ = false;
+  bool is_template_ = false;
+  bool is_orthoglide_ = false;
+  bool is_uranesx_ = false;
+  bool differ_ = false;
   std::string machine_;
+  std::string file_;
   Dimensions given_;
+  MachineDraft draft_;
   std::string output_;
-  std::optional<Machine> made_;
+  std::string urdf_;
 };
 }  // namespace
 

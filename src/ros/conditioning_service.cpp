@@ -29,7 +29,7 @@ ConditioningTask ConditioningService::read(const ComputeConditioning::Request& r
     problems.push_back("criterion must be 0 unless over = SET: all points of a region count");
   task.region =
       readRegion(request.over == ComputeConditioning::Request::REGION, request.solid, request.center, problems);
-  task.criterion = fromMessage(request.criterion, context_.query().criterion, problems);
+  task.criterion = fromMessage(request.criterion, context_.machine(), context_.query().criterion, problems);
   task.query.accuracy = valueOr(request.accuracy, task.query.accuracy);
   task.query.budget = node;
   task.query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);

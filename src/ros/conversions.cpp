@@ -60,7 +60,7 @@ Eigen::Vector3d proportionsOf(const Shape& shape)
 }
 
 /// Sets the shape unless the request leaves it as it is.
-void readShape(const RegionRequest& request, RegionQuery& query)
+void readShape(const RegionRequest& request, const ShapeDefaults& defaults, RegionQuery& query)
 {
   const std::string own = query.shape->name();
   const Eigen::Vector3d sides(request.proportions.x, request.proportions.y, request.proportions.z);
@@ -72,8 +72,11 @@ void readShape(const RegionRequest& request, RegionQuery& query)
     throw std::invalid_argument("ratio_min and ratio_max must both be given, or both be 0: one of them is 0");
   if (request.ratio_min != 0.0)
     ratio = RatioRange{ request.ratio_min, request.ratio_max };
-  if (proportions || ratio || (!request.shape.empty() && request.shape != own))
-    setShape(request.shape.empty() ? own : request.shape, proportions, ratio, query);
+  if (!proportions && !ratio && (request.shape.empty() || request.shape == own))
+    return;
+  const std::string shape = request.shape.empty() ? own : request.shape;
+  setShape(shape, proportions ? proportions : defaults.proportionsFor(shape), ratio ? ratio : defaults.ratioFor(shape),
+           query);
 }
 
 RailRange railRange(const JointRange& range, const std::string& joint)
@@ -135,13 +138,14 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
 }
 }  // namespace
 
-RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults, double longest)
+RegionQuery fromMessage(const RegionRequest& request, const Machine& machine, const RegionQuery& defaults,
+                        const ShapeDefaults& shape, double longest)
 {
   RegionQuery query = defaults;
   Problems problems;
   try
   {
-    readShape(request, query);
+    readShape(request, shape, query);
   }
   catch (const std::invalid_argument& error)
   {
@@ -150,7 +154,7 @@ RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& default
   if (const auto corners =
           readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems))
     query.search_box = corners;
-  query.criterion = fromMessage(request.criterion, defaults.criterion, problems);
+  query.criterion = fromMessage(request.criterion, machine, defaults.criterion, problems);
   query.precision = request.multi_precision ? Precision::MULTIPLE : Precision::DOUBLE;
   query.accuracy = valueOr(request.accuracy, defaults.accuracy);
   query.budget.time_limit = timeLimitOf(request.time_limit, defaults.budget.time_limit, longest, problems);

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_bytes.h"
+#include "pkm_workspace/dexterity/fitting_bounds.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
@@ -84,9 +85,30 @@ void readBounds(const CriterionRequest& request, Criterion& criterion, Problems&
   if (any_without_effect)
     problems.push_back("psi_min and psi_max must be 0 unless the set is DEXTROUS: in a reachable set they are free");
 }
+
+/// @pre aspect and joint limits have been read
+void choosePsi(const CriterionRequest& request, const Machine& machine, Criterion& criterion, Problems& problems)
+{
+  if (request.psi == CriterionRequest::DEFAULT)
+    return;
+  if (request.psi != CriterionRequest::AUTO)
+    problems.push_back("psi = " + std::to_string(request.psi) + " must be DEFAULT = 0 or AUTO = 1");
+  else if (criterion.set != Criterion::Set::DEXTROUS || request.psi_min != 0.0 || request.psi_max != 0.0)
+    problems.push_back("psi = AUTO chooses the bounds of a DEXTROUS set: psi_min and psi_max must be 0 then");
+  else
+    try
+    {
+      criterion = withFittingBounds(machine, criterion);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+}
 }  // namespace
 
-Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems)
+Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
+                      Problems& problems)
 {
   Criterion criterion = defaults;
   const std::size_t before = problems.size();
@@ -98,6 +120,7 @@ Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults
   else if (request.joint_limits != CriterionRequest::DEFAULT)
     problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
                        " must be DEFAULT = 0, ON = 1 or OFF = 2");
+  choosePsi(request, machine, criterion, problems);
   const Origin origin = [&request](const std::string& name) {
     bool is_given = false;
     for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)

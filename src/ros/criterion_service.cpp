@@ -21,7 +21,7 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
 {
   RegionQuery query = context_.query();
   Problems problems;
-  query.criterion = fromMessage(request.criterion, query.criterion, problems);
+  query.criterion = fromMessage(request.criterion, context_.machine(), query.criterion, problems);
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.validate(problems);
   validateAccuracy(context_.machine(), query, problems);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/dexterity/defaults.h"
+#include "pkm_workspace/dexterity/fitting_bounds.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_space.h"
 
@@ -38,6 +39,22 @@ void logMachine(const UrdfMachine& urdf, const std::string& frame)
   ROS_INFO_STREAM_NAMED("urdf", urdf.tool_point << (urdf.gap.empty() ? "" : "; ") << urdf.gap);
 }
 
+/// Bounds of psi that the machine chooses, or a word on default ones that do not suit it.
+void choosePsi(const Machine& machine, const Parameters& parameters, Criterion& criterion)
+{
+  if (parameters.psi == PsiChoice::AUTO)
+  {
+    criterion = withFittingBounds(machine, criterion);
+    ROS_INFO_STREAM_NAMED("server", describe(*fittingBounds(machine, criterion)));
+  }
+  else if (parameters.default_psi)
+  {
+    const std::string remark = remarkOnDefaultBounds(machine, criterion, "~psi = auto");
+    if (!remark.empty())
+      ROS_WARN_STREAM_NAMED("server", remark);
+  }
+}
+
 std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std::vector<std::string>& links)
 {
   std::vector<std::string> frames;
@@ -58,6 +75,7 @@ NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHand
   , query_(parameters.query)
 {
   query_.accuracy = parameters.accuracy > 0.0 ? parameters.accuracy : defaultAccuracy(machine(), *query_.shape);
+  choosePsi(machine(), parameters, query_.criterion);
   requireAnswerable(machine(), query_);
   logMachine(urdf, frames.root().frame);
   computing.setCallbackQueue(&worker.queue());

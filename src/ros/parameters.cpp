@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "parameter_values.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/text_stream.h"
@@ -16,83 +17,6 @@ namespace pkm_workspace
 namespace
 {
 using XmlRpc::XmlRpcValue;
-
-// Each read() sets the target from a value of the right type, or returns false. YAML writes whole numbers as integers.
-bool read(const XmlRpcValue& value, bool& target)
-{
-  if (value.getType() != XmlRpcValue::TypeBoolean)
-    return false;
-  target = static_cast<const bool&>(value);
-  return true;
-}
-
-bool read(const XmlRpcValue& value, int& target)
-{
-  if (value.getType() != XmlRpcValue::TypeInt)
-    return false;
-  target = static_cast<const int&>(value);
-  return true;
-}
-
-bool read(const XmlRpcValue& value, double& target)
-{
-  int whole = 0;
-  if (read(value, whole))
-    target = whole;
-  else if (value.getType() == XmlRpcValue::TypeDouble)
-    target = static_cast<const double&>(value);
-  else
-    return false;
-  return true;
-}
-
-bool read(const XmlRpcValue& value, std::string& target)
-{
-  if (value.getType() != XmlRpcValue::TypeString)
-    return false;
-  target = static_cast<const std::string&>(value);
-  return true;
-}
-
-template <class T>
-bool read(const XmlRpcValue& value, std::vector<T>& target)
-{
-  if (value.getType() != XmlRpcValue::TypeArray)
-    return false;
-  std::vector<T> elements(static_cast<std::size_t>(value.size()));
-  for (int i = 0; i < value.size(); ++i)
-    if (!read(value[i], elements[static_cast<std::size_t>(i)]))
-      return false;
-  target = elements;
-  return true;
-}
-
-bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)
-{
-  std::vector<double> numbers;
-  if (!read(value, numbers) || numbers.size() != 3)
-    return false;
-  target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-  return true;
-}
-
-bool read(const XmlRpcValue& value, std::optional<RatioRange>& target)
-{
-  std::vector<double> numbers;
-  if (!read(value, numbers) || numbers.size() != 2)
-    return false;
-  target = RatioRange{ numbers[0], numbers[1] };
-  return true;
-}
-
-bool read(const XmlRpcValue& value, std::optional<Box>& target)
-{
-  std::vector<double> numbers;
-  if (!read(value, numbers) || numbers.size() != 6)
-    return false;
-  target = Box{ { numbers[0], numbers[2], numbers[4] }, { numbers[1], numbers[3], numbers[5] } };
-  return true;
-}
 
 /// XML-RPC has integers of 32 bits.
 bool readMemory(const XmlRpcValue& value, std::int64_t& target)
@@ -141,21 +65,13 @@ Entry oneOf(Choice& target, const std::array<const char*, N>& names)
   return { expected, set };
 }
 
-/// The shape is given by these parameters.
-struct ShapeNames
-{
-  std::string shape = "cube";
-  std::optional<Eigen::Vector3d> proportions;
-  std::optional<RatioRange> ratio;
-};
-
-Table tableOf(Parameters& parameters, ShapeNames& names)
+Table tableOf(Parameters& parameters, std::string& shape)
 {
   RegionQuery& query = parameters.query;
   Table table = {
-    { "shape", entry(names.shape, "a text: cube, square, box, sphere, disc or cylinder") },
-    { "proportions", entry(names.proportions, "three numbers [x, y, z] >= 0, without unit") },
-    { "ratio", entry(names.ratio, "two numbers [least, largest] > 0, without unit") },
+    { "shape", entry(shape, "a text: cube, square, box, sphere, disc or cylinder") },
+    { "proportions", entry(parameters.shape.proportions, "three numbers [x, y, z] >= 0, without unit") },
+    { "ratio", entry(parameters.shape.ratio, "two numbers [least, largest] > 0, without unit") },
     { "set", oneOf(query.criterion.set, SET_NAMES) },
     { "aspect", oneOf(query.criterion.aspect, ASPECT_NAMES) },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
@@ -165,6 +81,7 @@ Table tableOf(Parameters& parameters, ShapeNames& names)
     { "threads", entry(query.budget.threads, "a whole number >= 1") },
     { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints, or an empty one") },
     { "tcp_links", entry(parameters.urdf.tcp_links, "a list of three names of links, or an empty one") },
+    { "psi", oneOf(parameters.psi, PSI_CHOICES) },
     { "tool_link", entry(parameters.urdf.tool_link, "a text, the name of a link fixed to the platform") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
@@ -204,17 +121,39 @@ void readTable(const Table& table, const XmlRpcValue& values, Problems& problems
   }
 }
 
-void chooseShape(const ShapeNames& names, RegionQuery& query, Problems& problems)
+/// Numbers of a shape that is not the node's wait for a request, and are checked all the same.
+void chooseShape(const std::string& shape, const ShapeDefaults& defaults, RegionQuery& query, Problems& problems)
 {
-  try
-  {
-    setShape(names.shape, names.proportions, names.ratio, query);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    problems.push_back(error.what());
-  }
+  const auto tryShape = [&](const std::string& name) {
+    try
+    {
+      setShape(name, defaults.proportionsFor(name), defaults.ratioFor(name), query);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      problems.push_back(error.what());
+    }
+  };
+  if (defaults.proportions && shape != "box")
+    tryShape("box");
+  if (defaults.ratio && shape != "cylinder")
+    tryShape("cylinder");
+  tryShape(shape);
 }
+
+/// Bounds that are chosen by the machine leave none to give.
+void choosePsi(const XmlRpcValue& values, Parameters& parameters, Problems& problems)
+{
+  const auto has = [&values](const char* name) {
+    return values.getType() == XmlRpcValue::TypeStruct && values.hasMember(name);
+  };
+  parameters.default_psi = !has("psi_min") && !has("psi_max");
+  if (parameters.psi == PsiChoice::AUTO &&
+      (!parameters.default_psi || parameters.query.criterion.set != Criterion::Set::DEXTROUS))
+    problems.push_back(
+        "psi = auto chooses the bounds of a dextrous set: leave out psi_min and psi_max, and set = reachable");
+}
+
 /// Tells which of two bounds that contradict each other is a default, and leaves valid ones.
 void validateBounds(const XmlRpcValue& values, Criterion& criterion, Problems& problems)
 {
@@ -252,12 +191,13 @@ void Parameters::validate(Problems& problems) const
 Parameters loadParameters(const ros::NodeHandle& private_node)
 {
   Parameters parameters;
-  ShapeNames names;
+  std::string shape = "cube";
   Problems problems;
   XmlRpcValue values;
   if (private_node.getParam(private_node.getNamespace(), values) && values.getType() == XmlRpcValue::TypeStruct)
-    readTable(tableOf(parameters, names), values, problems);
-  chooseShape(names, parameters.query, problems);
+    readTable(tableOf(parameters, shape), values, problems);
+  chooseShape(shape, parameters.shape, parameters.query, problems);
+  choosePsi(values, parameters, problems);
   validateBounds(values, parameters.query.criterion, problems);
   parameters.validate(problems);
   for (auto& problem : problems)

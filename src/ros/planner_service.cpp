@@ -47,7 +47,7 @@ PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, c
 {
   const FramedMachine in = context_.frames.machineIn(frame);
   Problems problems;
-  const Criterion criterion = fromMessage(request, context_.query().criterion, problems);
+  const Criterion criterion = fromMessage(request, context_.machine(), context_.query().criterion, problems);
   throwProblems(problems);
   const Premises premises = in.premises(criterion);
   const EvaluatorPtr evaluator = evaluatorFor(*in.machine, premises);

@@ -11,10 +11,11 @@ from xml.etree import ElementTree
 
 from pkm import MACHINES, URDF, CommandTest
 
-MACHINE = {"urdf", "rails", "tcp-links"}
+MACHINE = {"urdf", "rails", "tcp-links", "tool-link"}
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
 BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64 (\w+)$", REQUEST)}
-CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS
+SHARED_CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS  # of several machines
+CRITERION = SHARED_CRITERION | {"psi"}
 BODY = {"shape", "proportions", "ratio", "size", "sides", "radius", "height"}
 TIME = {"time-limit", "progress"}
 BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
@@ -26,15 +27,18 @@ OPTIONS = {
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME | {"file", "segment", "tool-speed", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
-    "compare": MACHINE | CRITERION | BUDGET | COMMON
+    "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},
-    "study": MACHINE | CRITERION | BUDGET | COMMON
+    "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | BODY | {"center", "accuracy"},
-    "urdf": COMMON | {"machine", "length", "rail-radius", "platform-radius", "lambda", "output"},
+    "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
+                      "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
+                      "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode", "tool",
+                      "mount", "mount-rpy"},
 }
 
 

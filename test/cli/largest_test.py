@@ -7,7 +7,7 @@ import re
 import unittest
 from fractions import Fraction
 
-from pkm import MACHINES, ORTHOGLIDE, URANESX, CommandTest
+from pkm import DATA, MACHINES, ORTHOGLIDE, URANESX, CommandTest, run
 
 CUBE = 1 / math.sqrt(6) + 1 / (3 * math.sqrt(2))  # largest cube of the unit Orthoglide, edge [m]
 CUBE_STROKE = 1 + 1 / (3 * math.sqrt(2)) - 1 / math.sqrt(6)  # its joint range [m]
@@ -231,6 +231,19 @@ class Largest(CommandTest):
         answer = self.answer("largest", "--urdf", fixed, "--set", "reachable")
         self.assertEqual(answer["status"], "none")
         self.assertRegex(answer["message"], "proved: the joint limits hold 'rail_x', 'rail_y', 'rail_z' fixed")
+
+    def test_bounds_that_fit_the_machine(self):
+        delta = str(DATA / "equal_homes.urdf")
+        words = ("--shape", "disc", "--accuracy", 0.01)
+        fitting = self.largest(delta, *words, "--psi", "auto")
+        self.assertEqual((fitting["psi_min"], fitting["psi_max"]), (0.26, 3.9))
+        self.assertEqual(fitting["size"], self.largest(delta, *words, "--psi-min", 0.26, "--psi-max", 3.9)["size"])
+        said = run("largest", "--urdf", delta, *words, "--psi", "auto").stderr
+        self.assertIn("pkm: note: psi in [0.26, 3.9]: about twice as wide as at the best point, (", said)
+        said = run("largest", "--urdf", delta, *words).stderr
+        self.assertIn("pkm: warning: the default bounds of psi, [0.5, 2], suit the paper's machines", said)
+        self.assertIn("the legs are drawn up to 0.000215 m apart at joint values 0 (allowed: 0.00269 m)", said)
+        self.assertEqual(run("largest", "--urdf", ORTHOGLIDE, "--accuracy", 0.1).stderr, "")
 
 
 if __name__ == "__main__":

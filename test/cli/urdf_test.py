@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm urdf: what it writes is read by the other commands as the machine that was asked for."""
 
+import math
 import unittest
 
 from pkm import URDF, CommandTest
@@ -43,6 +44,54 @@ class Urdf(CommandTest):
                                  2 * 3 / 26, "--length", 2)
         for value, wanted in zip(psi, self.answer("evaluate", "--urdf", by_radius, "--point", 0, 0, 0)["psi"]):
             self.assertAlmostEqual(value, wanted, places=12)
+
+    NUMBERS = ("--name", "cnc", "--rail-radius", 0.130, "--angle", 0, 120.4, 239.7, "--platform-radius", 0.030,
+               "--length", 0.2690, 0.2688, 0.2691, "--travel", 0, 0.35, "--tool", 0, 0, -0.040,
+               "--mount", 0, 0, 0.75, "--mount-rpy", 0, 0, 15)
+
+    def test_numbers_and_machine_file_are_one_machine(self):
+        template = self.folder / "machine.yaml"
+        self.answer("urdf", "--template", "--output", template)
+        template.write_text(template.read_text(encoding="utf-8").replace("my_machine", "cnc"), encoding="utf-8")
+        self.assertEqual(self.text("urdf", "--from", template), self.text("urdf", *self.NUMBERS))
+
+    def test_a_machine_from_numbers_meets_its_struts(self):
+        urdf = self.machine(*self.NUMBERS)
+        point = (0.02, -0.03, 0.87)
+        rho = self.answer("evaluate", "--urdf", urdf, "--point", *point)["rho"]
+        turn = math.radians(15)
+        x = math.cos(turn) * point[0] + math.sin(turn) * point[1]
+        y = math.cos(turn) * point[1] - math.sin(turn) * point[0]
+        z = point[2] - 0.75 + 0.040
+        lengths = (0.2690, 0.2688, 0.2691)
+        # the tool touches z = 0 with all sliders at the lower end: what is left of each equation is their height
+        heights = []
+        for angle, length, value in zip((0, 120.4, 239.7), lengths, rho):
+            outwards = (math.cos(math.radians(angle)), math.sin(math.radians(angle)))
+            across = math.hypot(x - 0.1 * outwards[0], y - 0.1 * outwards[1])
+            heights.append(z + math.sqrt(length ** 2 - across ** 2) - value)
+        self.assertAlmostEqual(heights[0], heights[1], places=12)
+        self.assertAlmostEqual(heights[0], heights[2], places=12)
+        self.assertAlmostEqual(heights[0], 0.25 + 0.040, places=3)
+
+    def test_x_and_y_say_the_same_as_angle_and_radius(self):
+        places = [(0.2 * math.cos(a), 0.2 * math.sin(a)) for a in (0.1, 2.2, 4.1)]
+        by_place = self.machine("--x", *(p[0] for p in places), "--y", *(p[1] for p in places), "--length", 0.4,
+                                "--travel", -0.1, 0.5)
+        by_angle = self.machine("--rail-radius", 0.2, "--angle", *(math.degrees(a) for a in (0.1, 2.2, 4.1)),
+                                "--length", 0.4, "--travel", -0.1, 0.5)
+        first, second = (self.answer("evaluate", "--urdf", urdf, "--point", 0.01, 0.02, 0.1)["rho"]
+                         for urdf in (by_place, by_angle))
+        for one, other in zip(first, second):
+            self.assertAlmostEqual(one, other, places=12)
+
+    def test_the_zero_of_the_controller_is_kept(self):
+        """Homed at the upper end, which the controller counts as 0."""
+        urdf = self.machine("--linear-delta", "--rail-radius", 0.1, "--length", 0.25, "--travel", -0.3, 0,
+                            "--home-height", 0.5)
+        height = 0.4 - math.sqrt(0.25 ** 2 - 0.1 ** 2)
+        for value in self.answer("evaluate", "--urdf", urdf, "--point", 0, 0, height)["rho"]:
+            self.assertAlmostEqual(value, -0.1, places=9)
 
 
 if __name__ == "__main__":

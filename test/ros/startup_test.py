@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A bad parameter or a bad URDF ends the node, before it computes, with a FATAL line that says why."""
 
+import pathlib
 import re
 import threading
 import unittest
@@ -9,7 +10,8 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from pkm_workspace.msg import CriterionRequest
+from pkm_workspace.msg import CriterionRequest, RegionRequest
+from pkm_workspace.srv import ComputeLargestRegion
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 
 NAN = float("nan")
@@ -19,7 +21,12 @@ BAD_PARAMETERS = [
     ({"shape": 3}, r"shape = 3 must be a text: cube, square, box, sphere, disc or cylinder"),
     ({"shape": "box", "proportions": [1, 2]}, r"proportions = \{1,2\} must be three numbers"),
     ({"shape": "box", "proportions": [1, 0, -1]}, r"proportions \(1, 0, -1\).* must be"),
-    ({"proportions": [1, 2, 3]}, r"proportions = \(1, 2, 3\).*box only"),
+    ({"proportions": [1, 0, -1]}, r"proportions \(1, 0, -1\).* must be"),
+    ({"ratio": [2, 1]}, r"ratio = \[2, 1\] must have the least one first"),
+    ({"psi": "best"}, r"psi = best must be a text: given or auto"),
+    ({"psi": "auto", "psi_min": 0.3}, r"psi = auto chooses the bounds of a dextrous set: leave out psi_min"),
+    ({"psi": "auto", "set": "reachable"}, r"psi = auto chooses the bounds of a dextrous set"),
+    ({"tool_link": "drill"}, r"tool_link names 'drill', which is no link; the links are: "),
     ({"psi_min": "small"}, r"psi_min = small must be a number > 0"),
     ({"psi_min": 0}, r"psi_min = 0 .*must be positive"),
     ({"psi_max": 0.25}, r"psi_max = 0.25 must be at least psi_min = 0.5 \(the default\) "),
@@ -83,6 +90,35 @@ class StartupTest(unittest.TestCase):
         # a segment along parallel rails can be as long as one likes
         self.expect_refusals([(urdf("uranesx"), {"joint_limits": False, "shape": "box", "proportions": [0, 0, 1]},
                                r"along the rails can be as long as one likes: ask for joint_limits, or for another")])
+
+    def test_says_what_the_tool_point_is_and_that_default_bounds_do_not_suit(self):
+        delta = (pathlib.Path(__file__).resolve().parents[1] / "data" / "equal_homes.urdf").read_text()
+        with NodeProcess(delta, {"time_limit": 1}) as node:
+            node.wait_for_output("the default bounds of psi, [0.5, 2], suit the paper's machines; the middle of this")
+            node.wait_for_output("the tool point is where the links 'tcp1', 'tcp2', 'tcp3' coincide at joint values 0, "
+                                 "the deepest that do; the legs are drawn up to 0.000215 m apart at joint values 0 "
+                                 "(allowed: 0.00269 m)")
+
+    def test_bounds_that_fit_and_shapes_that_wait(self):
+        delta = (pathlib.Path(__file__).resolve().parents[1] / "data" / "equal_homes.urdf").read_text()
+        with NodeProcess(delta, {"psi": "auto", "ratio": [1, 1], "proportions": [2, 1, 1], "time_limit": 1}):
+            ask = rospy.ServiceProxy(f"{NAME}/compute_largest_region", ComputeLargestRegion, persistent=True)
+            ask.wait_for_service(PATIENCE)
+            cylinder = ask(query=RegionRequest(shape="cylinder", accuracy=0.05))
+            self.assertEqual(cylinder.message, cylinder.region.message)
+            self.assertEqual((cylinder.region.hypotheses.psi_min, cylinder.region.hypotheses.psi_max), (0.26, 3.9))
+            height, radius = cylinder.region.solid.dimensions
+            self.assertAlmostEqual(height, radius, places=12)
+            box = ask(query=RegionRequest(shape="box", accuracy=0.05)).region.proportions
+            self.assertEqual((box.x, box.y, box.z), (2, 1, 1))
+            request = RegionRequest(shape="disc", accuracy=0.05)
+            request.criterion.psi = CriterionRequest.AUTO
+            disc = ask(query=request).region
+            self.assertEqual((disc.hypotheses.psi_min, disc.hypotheses.psi_max), (0.26, 3.9))
+            request.criterion.psi_min = 0.3
+            self.assertIn("psi = AUTO chooses the bounds of a DEXTROUS set", ask(query=request).message)
+            request.criterion.psi = 7
+            self.assertIn("psi = 7 must be DEFAULT = 0 or AUTO = 1", ask(query=request).message)
 
     def test_diagnostics_come_as_often_as_asked(self):
         stamps = []

@@ -13,6 +13,7 @@
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/frames.h"
+#include "pkm_workspace/ros/parameters.h"
 
 namespace pkm_workspace
 {
@@ -30,7 +31,8 @@ const Remedy REGION_REMEDY{ "joint_limits = ON", "a search box by use_search_box
 /// @param defaults what fields without a value stand for
 /// @param longest the most that may be asked for as a time limit [s]
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
-RegionQuery fromMessage(const RegionRequest& request, const RegionQuery& defaults, double longest);
+RegionQuery fromMessage(const RegionRequest& request, const Machine& machine, const RegionQuery& defaults,
+                        const ShapeDefaults& shape, double longest);
 
 /// What is asked, and of which machine.
 struct RegionQuestion

@@ -20,9 +20,11 @@ inline double valueOr(double value, double fallback)
 }
 
 /// Reads a criterion.
+/// @param machine that bounds are chosen for, where the request asks for that
 /// @param defaults what fields without a value stand for; where there is a problem, all but set and aspect
 /// @param problems gets one sentence for each value that is unknown, out of range or without effect
-Criterion fromMessage(const CriterionRequest& request, const Criterion& defaults, Problems& problems);
+Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
+                      Problems& problems);
 
 /// The box between two corners, or none. @param flag name of the field that @p given comes from
 /// @param problems gets one sentence for each corner that is out of range or without effect

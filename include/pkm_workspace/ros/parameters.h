@@ -3,6 +3,9 @@
 
 #include <ros/node_handle.h>
 
+#include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <string>
 
 #include "pkm_workspace/dexterity/defaults.h"
@@ -14,6 +17,31 @@ namespace pkm_workspace
 /// The most that a time limit may be where a computation can be cancelled [s].
 constexpr double LONGEST = 86400.0;
 
+/// Where the bounds of the velocity transmission factors come from: ~psi_min and ~psi_max, or fittingBounds().
+enum class PsiChoice
+{
+  GIVEN,
+  AUTO
+};
+constexpr std::array<const char*, 2> PSI_CHOICES = { "given", "auto" };
+
+/// What a shape takes that has no numbers of its own in a request.
+struct ShapeDefaults
+{
+  std::optional<Eigen::Vector3d> proportions = {};  ///< of a box
+  std::optional<RatioRange> ratio = {};             ///< of a cylinder
+
+  /// The part that this shape has.
+  std::optional<Eigen::Vector3d> proportionsFor(const std::string& shape) const
+  {
+    return shape == "box" ? proportions : std::nullopt;
+  }
+  std::optional<RatioRange> ratioFor(const std::string& shape) const
+  {
+    return shape == "cylinder" ? ratio : std::nullopt;
+  }
+};
+
 /// What the node is configured with: its private parameters. Values with defaults; validate() tells what is wrong.
 struct Parameters
 {
@@ -24,11 +52,14 @@ struct Parameters
     query.criterion = defaultCriterion();
   }
 
-  /// ~shape, ~proportions, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~search_box,
+  ShapeDefaults shape;  ///< ~proportions and ~ratio, which wait for a box and for a cylinder
+  /// ~shape, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~search_box,
   /// ~threads, ~max_memory: that the boxes of one computation may take [bytes], and ~time_limit, which is also the most
   /// that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
   double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
+  PsiChoice psi = PsiChoice::GIVEN;  ///< ~psi
+  bool default_psi = true;           ///< whether neither ~psi_min nor ~psi_max was given
   UrdfOptions urdf;                  ///< ~rails, ~tcp_links and ~tool_link
   bool publish_joint_states = true;  ///< whether the model stands at the region's center
   bool show_paving = true;           ///< whether the markers show the set that the region lies in

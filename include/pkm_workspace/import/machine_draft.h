@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/machine/description.h"
+
+namespace pkm_workspace
+{
+/// One of the values that people give of a leg or of a machine: a key of a machine file and, with hyphens, an option of
+/// `pkm urdf`.
+struct DraftKey
+{
+  enum class Kind
+  {
+    LENGTH,  ///< in the draft's unit
+    ANGLE,   ///< in degrees
+    SIGN,    ///< -1 or 1
+    NAME
+  };
+  const char* name;
+  Kind kind;
+  std::size_t size;    ///< how many values it takes
+  const char* values;  ///< what they are called: "OUT SIDE UP"
+  const char* help;    ///< what it is, and what follows without it
+};
+
+/// Of each leg, and of the machine.
+const std::vector<DraftKey>& legKeys();
+const std::vector<DraftKey>& machineKeys();
+
+/// A machine in the making: values as people write them. What is not given follows from the rest, and what cannot is
+/// asked for.
+class MachineDraft
+{
+public:
+  using Texts = std::vector<std::string>;
+
+  /// "m" or "mm": what all lengths are in.
+  std::string unit = "m";
+  /// The machine's name.
+  std::string name = "machine";
+
+  /// Gives a value to leg 0, 1 or 2. @param place where it was said, for refusals: "--length", "machine.yaml:12"
+  /// @pre as many texts as the key takes
+  void setLeg(std::size_t leg, const DraftKey& key, const Texts& texts, const std::string& place);
+  void setMachine(const DraftKey& key, const Texts& texts, const std::string& place);
+  bool isEmpty() const;
+
+  /// @throws std::invalid_argument naming all that is missing, no number, or not to be had together
+  MachineDescription finished() const;
+
+private:
+  struct Given
+  {
+    Texts texts;
+    std::string place;
+  };
+  using Values = std::map<std::string, Given>;
+  class Reader;
+
+  std::array<Values, 3> legs_;
+  Values machine_;
+};
+}  // namespace pkm_workspace

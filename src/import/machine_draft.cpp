@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/import/machine_draft.h"
+
+#include <cmath>
+#include <limits>
+
+#include "decimal_number.h"
+#include "pkm_workspace/common/text.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Eigen::Vector3d;
+using Kind = DraftKey::Kind;
+
+constexpr double DEGREE = M_PI / 180.0;
+
+/// A height that nobody gave is a round number of micrometres.
+constexpr double PER_METRE = 1e6;
+
+/// What is not given of a leg, for each leg.
+constexpr double USUAL_ANGLES[] = { 0.0, 120.0, 240.0 };
+}  // namespace
+
+const std::vector<DraftKey>& legKeys()
+{
+  static const std::vector<DraftKey> keys = {
+    { "joint", Kind::NAME, 1, "NAME", "name of the rail's joint; without it, rail_1, rail_2, rail_3" },
+    { "angle", Kind::ANGLE, 1, "ANGLE",
+      "where the leg stands around the machine, counter-clockwise from x; without it, 0, 120 and 240 degrees" },
+    { "rail_radius", Kind::LENGTH, 1, "R",
+      "from the middle of the machine to the strut's joint on the slider, or to the rail with --slider-joint" },
+    { "x", Kind::LENGTH, 1, "X", "place of the rail, with y, in place of a radius" },
+    { "y", Kind::LENGTH, 1, "Y", "place of the rail, with x, in place of a radius" },
+    { "lean", Kind::ANGLE, 2, "OUT SIDE",
+      "how far the rail leans from the vertical, outwards and counter-clockwise; without it, 0 0" },
+    { "length", Kind::LENGTH, 1, "L", "of the strut, from joint to joint" },
+    { "platform_radius", Kind::LENGTH, 1, "r",
+      "from the middle of the platform to the strut's joint; without it 0: R is then the difference of the radii" },
+    { "slider_joint", Kind::LENGTH, 3, "OUT SIDE UP",
+      "the strut's joint, seen from the slider's place on its rail; without it, 0 0 0" },
+    { "platform_joint", Kind::LENGTH, 3, "OUT SIDE UP",
+      "the strut's joint, seen from its place on the platform's circle; without it, 0 0 0" },
+    { "travel", Kind::LENGTH, 2, "LO HI", "joint values that the slider can take" },
+    { "home", Kind::LENGTH, 1, "Q", "joint value of the slider when the machine is homed; without it, 0" },
+    { "home_height", Kind::LENGTH, 1, "Z",
+      "height of the slider then; without it, the tool touches z = 0 with all sliders at the lower end" },
+    { "working_mode", Kind::SIGN, 1, "-1|1",
+      "-1: the strut hangs below its slider, 1: it stands on it; without it, -1" },
+  };
+  return keys;
+}
+
+const std::vector<DraftKey>& machineKeys()
+{
+  static const std::vector<DraftKey> keys = {
+    { "tool", Kind::LENGTH, 3, "X Y Z", "the tool point, seen from the middle of the platform; without it, 0 0 0" },
+    { "mount", Kind::LENGTH, 3, "X Y Z", "where the machine stands in a frame \"world\"; without it, there is none" },
+    { "mount_rpy", Kind::ANGLE, 3, "ROLL PITCH YAW", "how it is turned there; without it, 0 0 0" },
+  };
+  return keys;
+}
+
+/// Turns texts into numbers and collects what is wrong.
+class MachineDraft::Reader
+{
+public:
+  explicit Reader(const MachineDraft& draft) : draft_(draft) {}
+
+  Problems problems;
+
+  /// The values of a key in metres and radians. @return nothing where it was not given
+  std::optional<std::vector<double>> find(const Values& values, const std::string& name, Kind kind)
+  {
+    const auto given = values.find(name);
+    if (given == values.end())
+      return std::nullopt;
+    std::vector<double> numbers;
+    for (const std::string& text : given->second.texts)
+      numbers.push_back(number(text, name, kind, given->second.place));
+    return numbers;
+  }
+  double one(const Values& values, const char* name, Kind kind, double otherwise)
+  {
+    const auto numbers = find(values, name, kind);
+    return numbers ? numbers->front() : otherwise;
+  }
+  Vector3d three(const Values& values, const char* name, Kind kind)
+  {
+    const auto numbers = find(values, name, kind);
+    return numbers ? Vector3d(numbers->data()) : Vector3d(Vector3d::Zero());
+  }
+
+  /// A leg with all that its values say; its height is that of joint value 0, counted from the home height or from 0.
+  LegDescription leg(std::size_t i)
+  {
+    const Values& values = draft_.legs_[i];
+    LegDescription leg;
+    const auto name = values.find("joint");
+    leg.joint = name == values.end() ? "rail_" + std::to_string(i + 1) : name->second.texts.front();
+    leg.radius = one(values, "rail_radius", Kind::LENGTH, 0.0);
+    leg.length = one(values, "length", Kind::LENGTH, 0.0);
+    const auto lean = find(values, "lean", Kind::ANGLE).value_or(std::vector<double>{ 0.0, 0.0 });
+    leg.lean = lean[0];
+    leg.side_lean = lean[1];
+    place(values, i, leg);
+    leg.slider_joint = three(values, "slider_joint", Kind::LENGTH);
+    leg.platform_joint = three(values, "platform_joint", Kind::LENGTH);
+    leg.platform_joint.x() += one(values, "platform_radius", Kind::LENGTH, 0.0);
+    const auto travel = find(values, "travel", Kind::LENGTH).value_or(std::vector<double>{ 0.0, 1.0 });
+    leg.lower = travel[0];
+    leg.upper = travel[1];
+    leg.working_mode = one(values, "working_mode", Kind::SIGN, -1.0) > 0.0 ? 1 : -1;
+    const double home = one(values, "home", Kind::LENGTH, 0.0);
+    leg.height = one(values, "home_height", Kind::LENGTH, 0.0) - home * railDirection(leg).z();
+    return leg;
+  }
+
+private:
+  void place(const Values& values, std::size_t i, LegDescription& leg)
+  {
+    const auto x = find(values, "x", Kind::LENGTH);
+    const auto y = find(values, "y", Kind::LENGTH);
+    if (x && y)
+      leg.foot = { x->front(), y->front() };
+    else if (x || y)
+      complain(problems, "leg ", i + 1, ": x and y belong together, and ", x ? "y" : "x", " is missing");
+    if ((x || y) && values.count("rail_radius") > 0)
+      complain(problems, values.at("rail_radius").place, ": rail_radius and x, y of leg ", i + 1,
+               " both say where its rail is; give one of them");
+    const double usual = x && y ? std::atan2(leg.foot.y(), leg.foot.x()) : USUAL_ANGLES[i] * DEGREE;
+    leg.angle = one(values, "angle", Kind::ANGLE, usual);
+  }
+
+  double number(const std::string& text, const std::string& name, Kind kind, const std::string& place)
+  {
+    const auto decimal = firmware::Decimal::parse(text);
+    const bool is_length = kind == Kind::LENGTH;
+    const std::string unit = is_length ? draft_.unit : "degrees";
+    if (!decimal || (kind == Kind::SIGN && std::abs(decimal->nearest()) != 1.0))
+      complain(problems, place, ": ", name, " = '", shortened(text, 60), "', expected ",
+               kind == Kind::SIGN ? "-1 or 1" : "a number [" + unit + "]");
+    if (!decimal)
+      return 0.0;
+    if (is_length)
+      return draft_.unit == "mm" ? (*decimal * firmware::Decimal(1, -3)).nearest() : decimal->nearest();
+    return kind == Kind::ANGLE ? decimal->nearest() * DEGREE : decimal->nearest();
+  }
+
+  const MachineDraft& draft_;
+};
+
+namespace
+{
+/// What no machine can be made without, said once where no leg has it.
+void askFor(const char* name, const std::string& what, const std::array<bool, 3>& has, Problems& problems)
+{
+  std::string legs;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!has[i])
+      legs += (legs.empty() ? "" : ", ") + std::to_string(i + 1);
+  if (!legs.empty())
+    complain(problems, name, " is missing", legs == "1, 2, 3" ? "" : " for leg " + legs, ": ", what);
+}
+
+/// Moves all sliders so that the tool touches z = 0 when they are at the lower ends of their travels.
+void standOnTheTable(MachineDescription& machine, Problems& problems)
+{
+  const Vector3d lowest(machine.legs[0].lower, machine.legs[1].lower, machine.legs[2].lower);
+  const auto tool = assembledTool(machine, lowest);
+  if (!tool)
+    complain(problems,
+             "with all sliders at the lower end of their travel, at one height, the struts do not meet: check "
+             "length, rail_radius and platform_radius, or give home_height");
+  else
+    for (LegDescription& leg : machine.legs)
+      leg.height = std::round((leg.height - tool->z()) * PER_METRE) / PER_METRE;
+}
+}  // namespace
+
+void MachineDraft::setLeg(std::size_t leg, const DraftKey& key, const Texts& texts, const std::string& place)
+{
+  legs_.at(leg)[key.name] = { texts, place };
+}
+
+void MachineDraft::setMachine(const DraftKey& key, const Texts& texts, const std::string& place)
+{
+  machine_[key.name] = { texts, place };
+}
+
+bool MachineDraft::isEmpty() const
+{
+  return legs_[0].empty() && legs_[1].empty() && legs_[2].empty() && machine_.empty();
+}
+
+MachineDescription MachineDraft::finished() const
+{
+  Reader reader(*this);
+  MachineDescription machine;
+  machine.name = name;
+  std::array<bool, 3> has_place{}, has_length{}, has_travel{}, has_height{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    machine.legs[i] = reader.leg(i);
+    has_place[i] = legs_[i].count("rail_radius") + legs_[i].count("x") + legs_[i].count("y") > 0;
+    has_length[i] = legs_[i].count("length") > 0;
+    has_travel[i] = legs_[i].count("travel") > 0;
+    has_height[i] = legs_[i].count("home_height") > 0;
+  }
+  askFor("rail_radius", "the distance of its rail from the middle of the machine, or its x and y", has_place,
+         reader.problems);
+  askFor("length", "that of its strut", has_length, reader.problems);
+  askFor("travel", "the least and the largest joint value of its slider", has_travel, reader.problems);
+  const bool any_height = has_height[0] || has_height[1] || has_height[2];
+  if (any_height)
+    askFor("home_height", "other legs have one", has_height, reader.problems);
+  machine.tool = reader.three(machine_, "tool", Kind::LENGTH);
+  if (machine_.count("mount") + machine_.count("mount_rpy") > 0)
+    machine.mount =
+        Mount{ reader.three(machine_, "mount", Kind::LENGTH), reader.three(machine_, "mount_rpy", Kind::ANGLE) };
+  if (reader.problems.empty())
+    machine.validate(reader.problems);
+  if (reader.problems.empty() && !any_height)
+    standOnTheTable(machine, reader.problems);
+  throwProblems(reader.problems);
+  return machine;
+}
+}  // namespace pkm_workspace

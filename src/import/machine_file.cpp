@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/import/machine_file.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <stdexcept>
+
+#include "pkm_workspace/common/text.h"
+#include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/import/machine_draft.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+/// Nobody writes longer ones by hand [bytes].
+constexpr std::size_t LARGEST_MACHINE_FILE = 256 * 1024;
+
+/// What may stand in one map of the file: a key, and who reads its value.
+struct MapEntry
+{
+  std::string name;
+  std::function<void(const YAML::Node&)> read;
+};
+using MapEntries = std::vector<MapEntry>;
+
+class MachineFile
+{
+public:
+  explicit MachineFile(const std::string& name) : name_(name) {}
+
+  MachineDescription read(const std::string& text)
+  {
+    const YAML::Node root = YAML::Load(text);
+    MapEntries entries = machineEntries();
+    entries.push_back({ "name", [this](const YAML::Node& node) { draft_.name = textOf(node, "name"); } });
+    entries.push_back({ "unit", [this](const YAML::Node& node) { readUnit(node); } });
+    entries.push_back({ "all_legs", [this](const YAML::Node& node) { readAllLegs(node); } });
+    entries.push_back({ "legs", [this](const YAML::Node& node) { readLegs(node); } });
+    readMap(root, "the file", entries);
+    throwProblems(problems_);
+    return draft_.finished();
+  }
+
+private:
+  std::string placeOf(const YAML::Node& node) const
+  {
+    return name_ + ":" + std::to_string(std::max(node.Mark().line, 0) + 1);
+  }
+
+  void refuse(const YAML::Node& node, const std::string& what) { problems_.push_back(placeOf(node) + ": " + what); }
+
+  std::string textOf(const YAML::Node& node, const std::string& key)
+  {
+    if (node.IsScalar() && !node.Scalar().empty())
+      return node.Scalar();
+    refuse(node, key + " needs one value");
+    return "";
+  }
+
+  void readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries)
+  {
+    if (!map.IsMap())
+      return refuse(map, what +
+                             " must be a list of keys with their values, as \"length: 0.269\"; see pkm urdf "
+                             "--template");
+    std::set<std::string> seen;
+    for (const auto& pair : map)
+    {
+      const std::string key = pair.first.IsScalar() ? pair.first.Scalar() : "";
+      const auto known = [&key](const MapEntry& entry) { return entry.name == key; };
+      const auto entry = std::find_if(entries.begin(), entries.end(), known);
+      if (entry == entries.end())
+        refuse(pair.first, "'" + shortened(key, 60) + "' is no key of " + what + "; these are: " + namesOf(entries));
+      else if (!seen.insert(key).second)
+        refuse(pair.first, "'" + key + "' stands a second time in " + what);
+      else
+        entry->read(pair.second);
+    }
+  }
+
+  static std::string namesOf(const MapEntries& entries)
+  {
+    std::vector<std::string> names;
+    for (const MapEntry& entry : entries)
+      names.push_back(entry.name);
+    return joined(names, ", ");
+  }
+
+  void readUnit(const YAML::Node& node)
+  {
+    const std::string unit = textOf(node, "unit");
+    if (unit == "m" || unit == "mm")
+      draft_.unit = unit;
+    else
+      refuse(node, "unit = '" + shortened(unit, 60) + "', expected m or mm");
+  }
+
+  /// The values of a key, as many as it takes; nothing where there are not so many.
+  MachineDraft::Texts valuesOf(const DraftKey& key, const YAML::Node& node)
+  {
+    MachineDraft::Texts texts;
+    if (node.IsSequence())
+      for (const auto& value : node)
+        texts.push_back(value.IsScalar() ? value.Scalar() : "");
+    else if (node.IsScalar())
+      texts.push_back(node.Scalar());
+    if (texts.size() == key.size)
+      return texts;
+    refuse(node, std::string(key.name) + " needs " +
+                     (key.size == 1 ? "one value" : std::to_string(key.size) + " values in brackets") + " (" +
+                     key.values + "), got " + std::to_string(texts.size()));
+    return {};
+  }
+
+  void readMachine(const DraftKey& key, const YAML::Node& node)
+  {
+    const MachineDraft::Texts texts = valuesOf(key, node);
+    if (!texts.empty())
+      draft_.setMachine(key, texts, placeOf(node));
+  }
+
+  void readLeg(const DraftKey& key, const std::vector<std::size_t>& legs, const YAML::Node& node)
+  {
+    const MachineDraft::Texts texts = valuesOf(key, node);
+    for (const std::size_t leg : legs)
+      if (!texts.empty())
+        draft_.setLeg(leg, key, texts, placeOf(node));
+  }
+
+  MapEntries machineEntries()
+  {
+    MapEntries entries;
+    for (const DraftKey& key : machineKeys())
+    {
+      const auto read = [this, &key](const YAML::Node& node) { readMachine(key, node); };
+      entries.push_back({ key.name, read });
+    }
+    return entries;
+  }
+
+  /// @param legs that the map is about
+  MapEntries legEntries(const std::vector<std::size_t>& legs)
+  {
+    MapEntries entries;
+    for (const DraftKey& key : legKeys())
+    {
+      const auto read = [this, &key, legs](const YAML::Node& node) { readLeg(key, legs, node); };
+      if (legs.size() == 1 || key.kind != DraftKey::Kind::NAME)
+        entries.push_back({ key.name, read });
+    }
+    return entries;
+  }
+
+  void readAllLegs(const YAML::Node& node)
+  {
+    if (legs_read_)
+      refuse(node, "all_legs must stand before legs, which change single values of it");
+    readMap(node, "all_legs", legEntries({ 0, 1, 2 }));
+  }
+
+  void readLegs(const YAML::Node& node)
+  {
+    legs_read_ = true;
+    if (!node.IsSequence() || node.size() != 3)
+      return refuse(node, "legs must be a list of three, each beginning with a hyphen; got " +
+                              (node.IsSequence() ? std::to_string(node.size()) : "no list"));
+    for (std::size_t i = 0; i < 3; ++i)
+      readMap(node[i], "leg " + std::to_string(i + 1), legEntries({ i }));
+  }
+
+  std::string name_;
+  MachineDraft draft_;
+  Problems problems_;
+  bool legs_read_ = false;
+};
+}  // namespace
+
+std::string machineFileTemplate()
+{
+  return R"(# A machine with three rails and three struts of fixed length: fill in what you measured, then
+#   pkm urdf --from FILE --output machine.urdf
+# Angles are degrees, lengths the unit below. What begins with "# " may be left away.
+name: my_machine
+unit: m                      # m or mm
+
+# What the three legs share. Each leg has axes of its own: outwards, sideways (counter-clockwise), up.
+all_legs:
+  rail_radius: 0.130         # from the middle of the machine to the strut's joint on the slider
+  platform_radius: 0.030     # from the middle of the platform to the strut's other joint
+  travel: [0, 0.35]          # joint values that the slider can take
+  # home: 0.35               # joint value of the slider when the machine is homed; without it 0
+  # home_height: 0.65        # height of the slider then; without it the tool touches z = 0 at the lower ends
+  # lean: [0, 0]             # of the rail from the vertical: outwards, sideways
+  # slider_joint: [0, 0, 0]  # of the strut, seen from the rail at rail_radius: outwards, sideways, up
+  # platform_joint: [0, 0, 0]  # of the strut, seen from its place on the circle of platform_radius
+  # working_mode: -1         # -1: the strut hangs below its slider, 1: it stands on it
+
+# What each has of its own; every key of all_legs may stand here, too.
+legs:
+  - angle: 0                 # where the leg stands around the machine, counter-clockwise from x
+    length: 0.2690           # of the strut, from joint to joint
+    # joint: rail_1          # name of the rail's joint
+    # x: 0.130               # place of the rail, in place of rail_radius; with it no angle is needed
+    # y: 0
+  - angle: 120.4
+    length: 0.2688
+  - angle: 239.7
+    length: 0.2691
+
+tool: [0, 0, -0.040]         # the tool point, seen from the middle of the platform
+mount: [0, 0, 0.75]          # where the machine stands in the frame "world"
+mount_rpy: [0, 0, 15]        # and how it is turned there: roll, pitch, yaw
+)";
+}
+
+MachineDescription readMachineText(const std::string& text, const std::string& name)
+{
+  try
+  {
+    return MachineFile(name).read(text);
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(name + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
+  }
+}
+
+MachineDescription readMachineFile(const std::string& path)
+{
+  return readMachineText(readWholeFile(path, LARGEST_MACHINE_FILE), path);
+}
+}  // namespace pkm_workspace

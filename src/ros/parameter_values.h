@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <XmlRpcValue.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pkm_workspace/interval/box.h"
+#include "pkm_workspace/region/largest_region.h"
+
+namespace pkm_workspace
+{
+using XmlRpc::XmlRpcValue;
+
+// Each read() sets the target from a value of the right type, or returns false. YAML writes whole numbers as integers.
+inline bool read(const XmlRpcValue& value, bool& target)
+{
+  if (value.getType() != XmlRpcValue::TypeBoolean)
+    return false;
+  target = static_cast<const bool&>(value);
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, int& target)
+{
+  if (value.getType() != XmlRpcValue::TypeInt)
+    return false;
+  target = static_cast<const int&>(value);
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, double& target)
+{
+  int whole = 0;
+  if (read(value, whole))
+    target = whole;
+  else if (value.getType() == XmlRpcValue::TypeDouble)
+    target = static_cast<const double&>(value);
+  else
+    return false;
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::string& target)
+{
+  if (value.getType() != XmlRpcValue::TypeString)
+    return false;
+  target = static_cast<const std::string&>(value);
+  return true;
+}
+
+template <class T>
+inline bool read(const XmlRpcValue& value, std::vector<T>& target)
+{
+  if (value.getType() != XmlRpcValue::TypeArray)
+    return false;
+  std::vector<T> elements(static_cast<std::size_t>(value.size()));
+  for (int i = 0; i < value.size(); ++i)
+    if (!read(value[i], elements[static_cast<std::size_t>(i)]))
+      return false;
+  target = elements;
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 3)
+    return false;
+  target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::optional<RatioRange>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 2)
+    return false;
+  target = RatioRange{ numbers[0], numbers[1] };
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::optional<Box>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 6)
+    return false;
+  target = Box{ { numbers[0], numbers[2], numbers[4] }, { numbers[1], numbers[3], numbers[5] } };
+  return true;
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/import/machine_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "pkm_workspace/urdf_io/urdf_writer.h"
+#include "support/expect_throw.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+const char* const SHORT_FILE = R"(all_legs: {rail_radius: 0.13, length: 0.269, travel: [0, 0.35]}
+legs: [{}, {angle: 121}, {length: 0.27}]
+)";
+
+std::string changedIn(std::string text, const std::string& from, const std::string& to)
+{
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+std::string changed(const std::string& from, const std::string& to)
+{
+  return changedIn(SHORT_FILE, from, to);
+}
+}  // namespace
+
+TEST(MachineFile, templateDescribesACalibratedDelta)
+{
+  const MachineDescription machine = readMachineText(machineFileTemplate(), "template");
+  EXPECT_EQ(machine.name, "my_machine");
+  EXPECT_DOUBLE_EQ(machine.legs[1].angle, 120.4 * M_PI / 180.0);
+  EXPECT_EQ(machine.legs[1].length, 0.2688);
+  EXPECT_EQ(machine.legs[2].radius, 0.13);
+  EXPECT_EQ(machine.tool, Eigen::Vector3d(0.0, 0.0, -0.04));
+  EXPECT_DOUBLE_EQ(machine.mount->rpy.z(), 15.0 * M_PI / 180.0);
+  EXPECT_TRUE(readUrdf(writeUrdf(machine)).warnings.empty());
+}
+
+// The template's own words: the tool touches the table with all sliders at the lower ends.
+TEST(MachineFile, standsOnTheTableWithoutAHomeHeight)
+{
+  const MachineDescription machine = readMachineText(machineFileTemplate(), "template");
+  const auto tool = assembledTool(machine, Eigen::Vector3d::Zero());
+  ASSERT_TRUE(tool);
+  EXPECT_NEAR(tool->z(), 0.0, 0.5e-6 + 1e-12);
+}
+
+TEST(MachineFile, legsTakeWhatTheyHaveInCommon)
+{
+  const MachineDescription machine = readMachineText(SHORT_FILE, "short");
+  EXPECT_EQ(machine.legs[0].length, 0.269);
+  EXPECT_EQ(machine.legs[2].length, 0.27);
+  EXPECT_EQ(machine.legs[0].angle, 0.0);
+  EXPECT_DOUBLE_EQ(machine.legs[1].angle, 121.0 * M_PI / 180.0);
+  EXPECT_FALSE(machine.mount);
+}
+
+// 268.8 mm are the double nearest to 0.2688, which 268.8 / 1000 need not be.
+TEST(MachineFile, millimetresAreReadToTheLastDigit)
+{
+  const MachineDescription machine = readMachineText(
+      "unit: mm\nall_legs: {rail_radius: 130.1, length: 268.8, travel: "
+      "[-0.7, 350.3]}\nlegs: [{}, {}, {}]\n",
+      "mm");
+  EXPECT_EQ(machine.legs[0].length, 0.2688);
+  EXPECT_EQ(machine.legs[0].radius, 0.1301);
+  EXPECT_EQ(machine.legs[0].lower, -0.0007);
+  EXPECT_EQ(machine.legs[0].upper, 0.3503);
+}
+
+TEST(MachineFile, refusesWithLineAndReason)
+{
+  const std::pair<std::string, std::string> cases[] = {
+    { "", "f.yaml:1: the file must be a list of keys with their values" },
+    { "- 1\n- 2\n", "f.yaml:1: the file must be a list of keys" },
+    { "all_legs: [", "f.yaml:.*no YAML: " },
+    { changed("length: 0.269", "lenght: 0.269"), "f.yaml:1: 'lenght' is no key of all_legs; these are: angle, rail_" },
+    { changed("length: 0.269", "length: 0.269, length: 0.3"), "f.yaml:1: 'length' stands a second time in all_legs" },
+    { changed("length: 0.269", "length: long"), "f.yaml:1: length = 'long', expected a number \\[m\\]" },
+    { changed("length: 0.269", "length: .inf"), "f.yaml:1: length = '.inf', expected a number \\[m\\]" },
+    { changed("length: 0.269", "length: 1e400"), "f.yaml:1: length = '1e400', expected a number" },
+    { changed("length: 0.269", "length: -0.3"), "leg 1: strut length = -0.3 m, expected a length from 1e-9 to 1e9 m" },
+    { changed("length: 0.269, ", ""), "length is missing for leg 1, 2: that of its strut" },
+    { changed("rail_radius: 0.13, ", ""), "rail_radius is missing: the distance of its rail from the middle" },
+    { changed(", travel: [0, 0.35]", ""), "travel is missing: the least and the largest joint value" },
+    { changed("[0, 0.35]", "[0.35, 0]"), "leg 1: travel from 0.35 to 0 m, expected the lower end first" },
+    { changed("[0, 0.35]", "0.35"), "f.yaml:1: travel needs 2 values in brackets \\(LO HI\\), got 1" },
+    { changed("{angle: 121}", "{angle: 121, x: 0.1}"), "leg 2: x and y belong together, and y is missing" },
+    { changed("{angle: 121}", "{x: 0.1, y: 0.1}"),
+      "f.yaml:1: rail_radius and x, y of leg 2 both say where its rail is" },
+    { changed("{angle: 121}", "{working_mode: 2}"), "f.yaml:2: working_mode = '2', expected -1 or 1" },
+    { changed("{angle: 121}", "{home_height: 1}"), "home_height is missing for leg 1, 3: other legs have one" },
+    { changed("[{}, {angle: 121}", "[{}, {}, {angle: 121}"), "f.yaml:2: legs must be a list of three.*got 4" },
+    { changed("all_legs: {", "all_legs: {joint: a, "), "f.yaml:1: 'joint' is no key of all_legs" },
+    { changed("all_legs", "unit: cm\nall_legs"), "f.yaml:1: unit = 'cm', expected m or mm" },
+    { std::string(SHORT_FILE) + "tool: [0, 0]\n", "f.yaml:3: tool needs 3 values in brackets \\(X Y Z\\), got 2" },
+    { std::string(SHORT_FILE) + "mount: [0, 0, x]\n", "f.yaml:3: mount = 'x', expected a number \\[m\\]" },
+    { std::string(SHORT_FILE) + "name: []\n", "f.yaml:3: name needs one value" },
+    { changed("length: 0.269", "length: 0.1"), "the struts do not meet" },
+    { "legs: [{}, {}, {}]\n" + std::string("all_legs: {length: 1}\n"), "f.yaml:2: all_legs must stand before legs" },
+  };
+  for (const auto& [text, pattern] : cases)
+    expectThrow<std::invalid_argument>([&text = text] { readMachineText(text, "f.yaml"); }, pattern);
+}
+
+TEST(MachineFile, saysEverythingAtOnce)
+{
+  const std::string text = changedIn(changed("length: 0.269", "length: long"), "angle: 121", "angel: 121");
+  expectThrow<std::invalid_argument>([&] { readMachineText(text, "f.yaml"); }, "'angel' is no key of leg 2");
+}
+}  // namespace test
+}  // namespace pkm_workspace
