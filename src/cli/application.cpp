@@ -42,6 +42,7 @@ const NamedCommand COMMANDS[] = {
   { "singularities", "that there are none, or where one is", makeSingularities },
   { "conditioning", "the global conditioning index of a region or of the whole set", makeConditioning },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
+  { "import", "the URDF of a linear delta from the configuration of its controller", makeImport },
 };
 
 constexpr const char* LOST_OUTPUT = "standard output cannot be written";
@@ -90,7 +91,7 @@ const NamedCommand& findCommand(const std::string& name)
 
 void printHelp(const NamedCommand& entry, const Command& command, const Options& options, std::ostream& out)
 {
-  out << "usage: pkm " << entry.name << " [OPTION...]\n\n"
+  out << "usage: pkm " << entry.name << options.leadingWord() << " [OPTION...]\n\n"
       << wrapped(command.description()) << listed(command.examples());
   options.describe(out);
 }

@@ -69,5 +69,6 @@ std::unique_ptr<Command> makeStudy();
 std::unique_ptr<Command> makeSingularities();
 std::unique_ptr<Command> makeConditioning();
 std::unique_ptr<Command> makeUrdf();
+std::unique_ptr<Command> makeImport();
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -71,6 +71,10 @@ public:
   /// is told with those that were given in front.
   void check(const Words& names, const std::function<void(Problems&)>& condition);
   bool given(const std::string& name) const;
+  /// A word before all options is the value of this one.
+  void lead(const std::string& name) { leading_ = name; }
+  /// " FILE" where there is such an option, for help texts.
+  std::string leadingWord() const { return leading_.empty() ? "" : " " + find(leading_)->values; }
 
   /// Sets the variables. @throws std::invalid_argument with everything that is wrong, one problem a line
   void parse(const Words& words);
@@ -114,6 +118,7 @@ private:
 
   std::vector<Option> options_;
   std::vector<Condition> conditions_;
+  std::string leading_;
 };
 }  // namespace cli
 }  // namespace pkm_workspace

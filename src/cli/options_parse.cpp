@@ -99,7 +99,10 @@ void Options::checkCondition(const Condition& condition, Problems& problems) con
 void Options::parse(const Words& words)
 {
   Problems problems;
-  readWords(words, problems);
+  Words all = words;
+  if (!leading_.empty() && !all.empty() && all[0].compare(0, 2, "--") != 0)
+    all.insert(all.begin(), "--" + leading_);
+  readWords(all, problems);
   for (const Option& option : options_)
     if (option.required && !option.given)
       problems.push_back("--" + option.name + " " + option.values + ": the option is missing");

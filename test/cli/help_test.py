@@ -9,7 +9,7 @@ import subprocess
 import unittest
 from xml.etree import ElementTree
 
-from pkm import MACHINES, URDF, CommandTest
+from pkm import DATA, MACHINES, URDF, CommandTest
 
 MACHINE = {"urdf", "rails", "tcp-links", "tool-link"}
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
@@ -35,6 +35,7 @@ OPTIONS = {
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | BODY | {"center", "accuracy"},
+    "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
                       "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
                       "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode", "tool",
@@ -78,6 +79,7 @@ class Help(CommandTest):
         self.addCleanup(os.chdir, "/")
         for name, path in MACHINES.items():
             (self.folder / f"{name}.urdf").symlink_to(path)
+        (self.folder / "printer.cfg").symlink_to(DATA / "firmware" / "klipper.cfg")
         for command in OPTIONS:
             examples = re.findall(r"(?m)^  pkm (.*)$", self.text(command, "--help"))
             self.assertGreater(len(examples), 0, command)
@@ -90,7 +92,7 @@ class Help(CommandTest):
         for name in ("matplotlib", "numpy", "rospy"):
             self.file(f"{name}.py", "raise ImportError('it is not installed')\n")
         environment = {**os.environ, "PYTHONPATH": str(self.folder)}
-        for script in ("bench", "demo", "figures", "pictures", "setup", "stress"):
+        for script in ("bench", "demo", "figures", "pictures", "real_machines", "setup", "stress"):
             process = subprocess.run([str(URDF.parent / "scripts" / script), "--help"], env=environment,
                                      capture_output=True, text=True)
             self.assertEqual(process.returncode, 0, process.stderr)

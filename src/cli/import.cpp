@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
+#include "command.h"
+#include "common_options.h"
+#include "output.h"
+#include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/import/firmware.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "pkm_workspace/urdf_io/urdf_writer.h"
+
+namespace pkm_workspace
+{
+namespace cli
+{
+namespace
+{
+Json importJson(const SourcePlace& place)
+{
+  return { { "file", place.file }, { "line", place.line } };
+}
+
+Json importJson(const TakenValue& taken)
+{
+  Json json = importJson(taken.place);
+  json["key"] = taken.key;
+  json["value"] = taken.written;
+  json["meaning"] = taken.meaning;
+  return json;
+}
+
+Json importJson(const LeftAside& left)
+{
+  Json json = importJson(left.place);
+  json["key"] = left.key;
+  json["reason"] = left.reason;
+  return json;
+}
+
+template <class Item>
+Json importJson(const std::vector<Item>& items)
+{
+  Json json = Json::array();
+  for (const Item& item : items)
+    json.push_back(importJson(item));
+  return json;
+}
+
+class Import : public Command
+{
+public:
+  std::string description() const override
+  {
+    return "Writes the URDF of a linear delta that the configuration of its controller describes (Klipper, Marlin, "
+           "RepRapFirmware, LinuxCNC), to standard output or to a file. Joint values of the URDF are the controller's "
+           "own, in metres. What was taken of the file, and what was left aside and why, is listed on standard error; "
+           "with --output or --json it is part of the answer. What each format means: docs/firmware.md.";
+  }
+
+  Words examples() const override
+  {
+    return { "pkm import printer.cfg --output machine.urdf",
+             "pkm import printer.cfg --format klipper --name workshop_delta" };
+  }
+
+  void declare(Options& options) override
+  {
+    options.text("file", path_, "FILE", "configuration of the controller; as the first word it needs no --file");
+    options.lead("file");
+    options.choice("format", format_, firmwareFormats(), "what the file is; without it, recognised from the text");
+    options.text("name", name_, "NAME", "name of the machine; without it, the format's name and _delta");
+    declareOutput(options, "output", output_, "file to write; without it, standard output");
+    options.require({ "file" });
+  }
+
+  Words notes() const override { return output_.empty() ? linesAbout(imported()) : Words(); }
+
+  Answer answer() override
+  {
+    const std::string urdf = writeUrdf(imported().machine);
+    const UrdfMachine read = readUrdf(urdf);
+    Json json = contextOf(read.machine);
+    json["format"] = imported().format;
+    json["taken"] = importJson(imported().taken);
+    json["left_aside"] = importJson(imported().left_aside);
+    if (output_.empty())
+    {
+      json["urdf"] = urdf;
+      return { json, urdf };
+    }
+    try
+    {
+      writeWholeFile(output_, urdf);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      throw Failure(std::string("--output ") + reason.what());
+    }
+    json["output"] = output_;
+    return { json, "Wrote machine '" + read.machine.name() + "' to " + output_ + "\n" +
+                       joined(linesAbout(imported()), "\n") + "\n" };
+  }
+
+private:
+  /// Read once, when the options are known. @throws std::invalid_argument with all that is wrong in the file
+  const FirmwareMachine& imported() const
+  {
+    if (!imported_)
+    {
+      imported_ = importFirmwareFile(path_, format_);
+      if (!name_.empty())
+        imported_->machine.name = name_;
+    }
+    return *imported_;
+  }
+
+  static Words linesAbout(const FirmwareMachine& machine)
+  {
+    Words lines;
+    for (const TakenValue& taken : machine.taken)
+      lines.push_back(toText(taken.place) + ": took " + taken.key + " = " + taken.written + ": " + taken.meaning);
+    for (const LeftAside& left : machine.left_aside)
+      lines.push_back(toText(left.place) + ": left aside " + left.key + ": " + left.reason);
+    return lines;
+  }
+
+  std::string path_;
+  std::string format_;
+  std::string name_;
+  std::string output_;
+  mutable std::optional<FirmwareMachine> imported_;
+};
+}  // namespace
+
+std::unique_ptr<Command> makeImport()
+{
+  return std::make_unique<Import>();
+}
+}  // namespace cli
+}  // namespace pkm_workspace
