@@ -85,10 +85,9 @@ private:
   /// A letter and the value that follows it, at once or after a blank.
   Entry takeWord()
   {
-    Entry word = { place_, std::string(1, upper(text_[at_])), "" };
     if (!isLetter(text_[at_]))
-      return { place_, word.key, takeUntilBlank() };
-    ++at_;
+      return { place_, takeUntilBlank(), "" };
+    Entry word = { place_, std::string(1, upper(text_[at_++])), "" };
     const std::size_t after_letter = at_;
     skip();
     const bool has_value = at_ < text_.size() && !isLetter(text_[at_]);

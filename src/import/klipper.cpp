@@ -33,7 +33,9 @@ std::vector<SourceLine> savedLines(const std::vector<SourceLine>& lines, Reading
   {
     in_block = in_block || beginsSaved(line);
     const bool is_saved = startsWith(line.text, SAVED);
-    if (in_block && is_saved)
+    if (is_saved && line.text.size() > SAVED.size() && line.text[SAVED.size()] != ' ')
+      reading.refuse(line.place, quoted(line.text), " has no blank after #*#, as Klipper writes it; write one");
+    else if (in_block && is_saved)
       saved.push_back({ line.place, line.text.substr(std::min<std::size_t>(4, line.text.size())) });
     else if (in_block && !trimmed(line.text).empty())
       reading.refuse(line.place, quoted(line.text),

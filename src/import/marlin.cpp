@@ -7,7 +7,8 @@
 
 // Marlin's Configuration.h (MarlinFirmware/Marlin, its comments and src/module/delta.cpp; older releases have three
 // names with _1, _2, _3 for what is one list of three now, and MANUAL_Z_HOME_POS for DELTA_HEIGHT).
-// src/module/motion.cpp, set_axis_is_at_home(): with a probe, home is its offset away from DELTA_HEIGHT.
+// src/module/motion.cpp, set_axis_is_at_home(): with a probe, home is its offset away from DELTA_HEIGHT (not from
+// MANUAL_Z_HOME_POS).
 
 namespace pkm_workspace
 {
@@ -120,7 +121,7 @@ void readGeometry(MarlinReader& marlin, Reading& reading, LinearDelta& delta)
   const bool is_old = !reading.has("DELTA_HEIGHT") && reading.has("MANUAL_Z_HOME_POS");
   numbers.height =
       marlin.needed(is_old ? "MANUAL_Z_HOME_POS" : "DELTA_HEIGHT", "z of the tool at home", SIGNED_MILLIMETRES);
-  numbers.probe_z = marlin.probe();
+  numbers.probe_z = is_old ? Decimal(0) : marlin.probe();
   numbers.endstop = marlin.three("DELTA_ENDSTOP_ADJ", "home below the switches:", MARLIN_ENDSTOP);
   numbers.angle_trim = marlin.three("DELTA_TOWER_ANGLE_TRIM", "added to 210, 330 and 90 degrees:", TRIM_DEGREES);
   numbers.radius_trim = marlin.three("DELTA_RADIUS_TRIM_TOWER", "added to the radius:", TRIM_MILLIMETRES);

@@ -14,6 +14,8 @@
 
 #include "pkm_workspace/import/firmware.h"
 #include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "support/expect_throw.h"
 #include "support/random.h"
 
@@ -80,26 +82,11 @@ inline std::string meaningOf(const FirmwareMachine& machine, const std::string& 
   return "";
 }
 
-/// The legs of a description as a machine, assembled with the tool below the middle.
-inline Machine machineOf(const MachineDescription& description)
+/// The machine as its URDF has it, in the axes of its towers.
+inline Machine machineOf(MachineDescription description)
 {
-  Machine::Legs legs;
-  for (std::size_t i = 0; i < legs.size(); ++i)
-  {
-    const LegDescription& leg = description.legs[i];
-    SlidingStrut strut;
-    const Eigen::Vector3d origin(leg.radius * std::cos(leg.angle), leg.radius * std::sin(leg.angle), leg.height);
-    strut.origin = enclose(origin);
-    strut.axis = enclose(Eigen::Vector3d::UnitZ());
-    strut.platform = enclose(Eigen::Vector3d::Zero());
-    strut.length = leg.length;
-    strut.working_mode = leg.working_mode;
-    strut.direction = 1;
-    legs[i].joint = leg.joint;
-    legs[i].limits = Interval(leg.lower, leg.upper);
-    legs[i].kind = strut;
-  }
-  return Machine(description.name, legs, Eigen::Vector3d::Zero());
+  description.mount.reset();
+  return readUrdf(writeUrdf(description)).machine;
 }
 
 /// Carriages for a tool at (x, y, z), in millimetres, as a firmware has them.

@@ -176,6 +176,8 @@ TEST(Klipper, MalformedFilesAreRefused)
           { "minimum_z_position: -2", "minimum_z_position: 400", "must be above its lowest place, z = 0.4 m" },
           { "[stepper_a]", "#*# [stepper_a]", "cfg:16: .* whose first line is missing" },
       });
+  expectImportRefused(edited(klipper(), "#*# angle = 329", "#*#\xC3\xA4ngle = 329"),
+                      "cfg:63: .*has no blank after #\\*#");
   expectImportRefused(edited(klipper(), "#*# [delta_calibrate]", "[delta_calibrate]"),
                       "cfg:67: .*stands after the beginning of the block of SAVE_CONFIG");
 }

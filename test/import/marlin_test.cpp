@@ -51,7 +51,7 @@ TEST(Marlin, OlderNamesAreRead)
                 "#define DELTA_DIAGONAL_ROD_TRIM_TOWER_2 -0.2\n#define DELTA_DIAGONAL_ROD_TRIM_TOWER_3 0.1f");
   text = edited(text, "#define PRINTABLE_RADIUS", "#define DELTA_PRINTABLE_RADIUS");
   expectSameKinematics(imported(text).machine, 70.0, MARLIN);
-  expectSwitches(imported(text).machine, MARLIN, 305.5 + 1.5, { -0.25, 0.0, -1.125 });
+  expectSwitches(imported(text).machine, MARLIN, 305.5, { -0.25, 0.0, -1.125 });
 }
 
 TEST(Marlin, TellsWhatItTookAndWhatNot)

@@ -106,6 +106,7 @@ TEST(RepRapFirmware, TellsWhatItTookAndWhatNot)
   EXPECT_EQ(meaningOf(machine, "M208 Z"), "lowest z of the tool: -0.0005 m");
   EXPECT_EQ(reasonFor(machine, "M569"), "no part of the geometry (3 values)");
   EXPECT_NE(reasonFor(imported(edited(configG(), "B110.0", "B110.0 Q5")), "M665 Q"), "");
+  EXPECT_NE(reasonFor(imported(edited(configG(), "B110.0", "B110.0 \xC2\xB0")), "M665 \xC2\xB0"), "");
 }
 
 TEST(RepRapFirmware, OtherMachinesAreRefused)
