@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <set>
+#include <iterator>
 
 #include "formats.h"
+#include "includes.h"
 #include "ini.h"
 
 // Klipper (Klipper3d/klipper): klippy/kinematics/delta.py has towers at radius * (cos, sin)(angle), the default angles,
@@ -54,49 +55,28 @@ std::vector<SourceLine> savedLines(const std::vector<SourceLine>& lines, Reading
   return saved;
 }
 
-/// All lines but those of the block, with those of the files that are included in their place.
-class Includes
+/// All lines but those of the block.
+std::vector<SourceLine> regularLines(const std::vector<SourceLine>& lines)
 {
-public:
-  Includes(const Source& source, Reading& reading) : source_(source), reading_(reading) {}
+  std::vector<SourceLine> regular;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(regular),
+               [](const SourceLine& line) { return !startsWith(line.text, SAVED); });
+  return regular;
+}
 
-  std::vector<SourceLine> linesOf(const std::vector<SourceLine>& lines)
-  {
-    std::vector<SourceLine> all;
-    for (const SourceLine& line : lines)
-    {
-      if (startsWith(line.text, SAVED))
-        continue;
-      const std::string section = sectionOf(line.text.substr(0, line.text.find('#')));
-      if (!startsWith(section, "include "))
-        all.push_back(line);
-      else
-        include(line, trimmed(section.substr(8)), all);
-    }
-    return all;
-  }
-
-private:
-  void include(const SourceLine& line, const std::string& name, std::vector<SourceLine>& all)
-  {
-    if (!names_.insert(name).second)
-      return reading_.refuse(line.place, "[include ", name, "] includes that file a second time; take the line out");
-    const Entry naming = { line.place, "include " + name, "" };
-    const std::vector<SourceLine> included = linesOf(otherLines(source_, naming, name, reading_));
-    all.insert(all.end(), included.begin(), included.end());
-  }
-
-  const Source& source_;
-  Reading& reading_;
-  std::set<std::string> names_;
-};
+/// The file that "[include file]" names.
+std::string includedBy(const std::string& line)
+{
+  const std::string section = sectionOf(line.substr(0, line.find('#')));
+  return startsWith(section, "include ") ? trimmed(section.substr(8)) : "";
+}
 
 /// What a calibration saved counts in place of what is written above.
 void addEntries(const Source& source, Reading& reading)
 {
   const std::vector<Entry> saved = readIni(savedLines(source.lines, reading), KLIPPER, reading);
-  Includes includes(source, reading);
-  for (const Entry& entry : readIni(includes.linesOf(source.lines), KLIPPER, reading))
+  Includes includes(source, reading, includedBy);
+  for (const Entry& entry : readIni(includes.expand(regularLines(source.lines)), KLIPPER, reading))
   {
     const auto same = [&](const Entry& other) { return other.key == entry.key; };
     const auto by = std::find_if(saved.begin(), saved.end(), same);

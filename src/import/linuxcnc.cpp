@@ -3,6 +3,7 @@
 
 #include "formats.h"
 #include "hal.h"
+#include "includes.h"
 #include "ini.h"
 
 // LinuxCNC (LinuxCNC/linuxcnc): src/emc/kinematics/lineardeltakins-common.h has tower 0 at (0, R) and the next ones at
@@ -78,10 +79,24 @@ std::string substituted(const std::string& text, const Reading& reading)
   return text;
 }
 
+/// The file that "#INCLUDE file" names, in an INI file.
+std::string includedByIni(const std::string& line)
+{
+  return startsWith(line, "#INCLUDE ") ? trimmed(line.substr(9)) : "";
+}
+
+/// The file that "source file" names, in a HAL file.
+std::string includedByHal(const std::string& line)
+{
+  const std::string text = trimmed(line.substr(0, line.find('#')));
+  return startsWith(text, "source ") ? trimmed(text.substr(7)) : "";
+}
+
 /// Adds what the HAL files set. @return whether all of them were read
 bool addPins(const Source& source, Reading& reading)
 {
   HalPins pins(PINS);
+  Includes includes(source, reading, includedByHal);
   bool all = true;
   const std::vector<Entry> entries = reading.entries();
   for (const Entry& entry : entries)
@@ -95,7 +110,7 @@ bool addPins(const Source& source, Reading& reading)
     if (is_tcl)
       reading.left_aside.push_back({ entry.place, entry.key, "the file " + quoted(name) + " is Tcl: it is not run" });
     else
-      pins.read(otherLines(source, { entry.place, entry.key, name }, name, reading));
+      pins.read(includes.expand(otherLines(source, { entry.place, entry.key, name }, name, reading)));
     all = all && reading.left_aside.size() == left;
   }
   for (const Entry& pin : pins.values())
@@ -172,7 +187,8 @@ bool isLinuxCnc(const std::vector<SourceLine>& lines)
 
 void readLinuxCnc(const Source& source, Reading& reading, LinearDelta& delta)
 {
-  for (const Entry& entry : readIni(source.lines, LINUXCNC, reading))
+  Includes includes(source, reading, includedByIni);
+  for (const Entry& entry : readIni(includes.expand(source.lines), LINUXCNC, reading))
     reading.add(entry);
   checkKins(reading);
   const Units units = unitsOf(reading);

@@ -106,7 +106,7 @@ TEST(Klipper, ReadsWhatItIncludes)
       [&] {
         importFirmware({ "printer.cfg", main, itself });
       },
-      "macros.cfg:1: \\[include macros.cfg\\] includes that file a second time");
+      "macros.cfg:1: '\\[include macros.cfg\\]' includes that file a second time");
 }
 
 TEST(Klipper, AnyLineEndMarkAndEncodingIsRead)

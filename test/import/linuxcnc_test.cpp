@@ -98,6 +98,21 @@ TEST(LinuxCnc, DefaultsCountWhereNothingElseCan)
                     "lineardeltakins.R is missing");
 }
 
+TEST(LinuxCnc, FilesThatAreIncludedAreRead)
+{
+  const std::string text = edited(ini(), "[DELTA]\nROD = 269.0\n", "#INCLUDE delta.inc\n");
+  const auto other = [](const std::string& name) -> std::optional<std::string> {
+    if (name == "delta.inc")
+      return "[DELTA]\nROD = 270.5\n";
+    if (name == "ldelta.hal")
+      return "loadrt lineardeltakins\nsource lengths.hal # of the rods\n";
+    return name == "lengths.hal" ? std::optional<std::string>("setp lineardeltakins.L [DELTA](ROD)\n") : std::nullopt;
+  };
+  expectSameKinematics(importFirmware({ "machine.ini", text, other }).machine, 70.0, lineardeltakins(270.5, 130.25));
+  expectRefusedWith(text, "source lengths.hal\n", "lineardeltakins.L is missing; put the HAL files beside");
+  expectRefusedWith(text, "source ldelta.hal\n", "ldelta.hal:1: 'source ldelta.hal' includes that file a second time");
+}
+
 TEST(LinuxCnc, TellsWhatItTookAndWhatNot)
 {
   const FirmwareMachine machine = importedWith(ini(), sample("ldelta.hal"));
