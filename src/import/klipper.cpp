@@ -102,30 +102,35 @@ void checkKinematics(Reading& reading)
     reading.take(*kinematics, "a linear delta");
 }
 
+/// A value of a tower. What stepper_b and stepper_c lack, they have from stepper_a.
+std::optional<Decimal> ofTower(const std::string& section, const std::string& key, const std::string& what,
+                               const Quantity& quantity, const std::optional<Decimal>& first, Reading& reading)
+{
+  const std::string full = section + " " + key;
+  if (section == "stepper_a")
+    return reading.needed(full, what, quantity, "write it into [stepper_a], in mm");
+  if (first && !reading.has(full))
+    return reading.assume(full, what, *first);
+  return reading.value(full, what, quantity);
+}
+
 void readTower(std::size_t index, Reading& reading, LinearDelta& delta)
 {
   Tower& tower = delta.towers[index];
-  const std::string section = tower.joint;
-  const Tower& first = delta.towers[0];
-  const bool is_first = index == 0;
-  const auto number = [&](const std::string& key, const std::string& what, const Quantity& quantity) {
-    return is_first ? reading.needed(section + " " + key, what, quantity, "write it into [stepper_a], in mm")
-                    : reading.value(section + " " + key, what, quantity);
-  };
+  const Tower first = delta.towers[0];
+  const std::string& section = tower.joint;
   tower.place = first.place;
   if (const Entry* const arm = reading.find(section + " arm_length"))
     tower.place = arm->place;
   tower.radius = first.radius;
-  tower.arm = number("arm_length", "strut of " + section, MILLIMETRES);
-  tower.home = number("position_endstop", "z of the tool in the middle, with " + section + " at its endstop",
-                      SIGNED_MILLIMETRES);
-  tower.angle = reading.value(section + " angle", "direction of " + section, DEGREES);
-  if (!reading.has(section + " arm_length"))
-    tower.arm = first.arm;
-  if (!reading.has(section + " position_endstop"))
-    tower.home = first.home;
-  if (!reading.has(section + " angle"))
-    tower.angle = DEFAULT_ANGLES[index];
+  tower.arm = ofTower(section, "arm_length", "strut of " + section, MILLIMETRES, first.arm, reading);
+  tower.home = ofTower(section, "position_endstop", "z of the tool in the middle, with " + section + " at its endstop",
+                       SIGNED_MILLIMETRES, first.home, reading);
+  const std::string direction = "direction of " + section;
+  if (reading.has(section + " angle"))
+    tower.angle = reading.value(section + " angle", direction, DEGREES);
+  else
+    tower.angle = reading.assume(section + " angle", direction, DEFAULT_ANGLES[index], "degrees");
 }
 
 std::string klipperReason(const Entry& entry)
@@ -169,12 +174,9 @@ void readKlipper(const Source& source, Reading& reading, LinearDelta& delta)
   delta.towers[2].joint = "stepper_c";
   for (std::size_t index = 0; index < delta.towers.size(); ++index)
     readTower(index, reading, delta);
-  delta.lowest =
-      reading.value("printer minimum_z_position", "lowest z of the tool", SIGNED_MILLIMETRES).value_or(Decimal(0));
-  delta.print_radius =
-      reading.value("printer print_radius", "largest distance of the tool from the middle", MILLIMETRES);
-  if (!delta.print_radius)
-    delta.print_radius = delta.towers[0].radius;
+  delta.lowest = reading.valueOr("printer minimum_z_position", "lowest z of the tool", SIGNED_MILLIMETRES, 0);
+  delta.print_radius = reading.valueOr("printer print_radius", "largest distance of the tool from the middle",
+                                       MILLIMETRES, delta.towers[0].radius.value_or(0));
   for (const Tower& tower : delta.towers)
     if (tower.arm && tower.radius && delta.print_radius && *tower.radius < *tower.arm)
       delta.print_radius = std::min(*delta.print_radius, *tower.arm - *tower.radius);

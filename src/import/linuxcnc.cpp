@@ -126,11 +126,7 @@ std::optional<Decimal> pin(const std::string& name, const std::string& what, con
   if (reading.has(key) || !all_read)
     return reading.needed(key, what, units.length,
                           "put the HAL files beside the INI file, or write setp " + key + " into one that is read");
-  const Decimal metres = otherwise * Decimal(units.length.factor, units.length.exponent);
-  const Entry* const kinematics = reading.find("KINS KINEMATICS");
-  const Entry unset = { kinematics != nullptr ? kinematics->place : SourcePlace{ reading.file, 1 }, key, "not set" };
-  reading.take(unset, what + ": " + measure(metres, "m") + ", the default");
-  return metres;
+  return reading.assume(key, what, otherwise * Decimal(units.length.factor, units.length.exponent));
 }
 
 void readJoint(std::size_t index, const Units& units, Reading& reading, Tower& tower)

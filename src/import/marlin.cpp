@@ -136,7 +136,9 @@ void readGeometry(MarlinReader& marlin, Reading& reading, LinearDelta& delta)
     if (radius && (!delta.print_radius || *delta.print_radius < *radius))
       delta.print_radius = radius;
   }
-  delta.lowest = marlin.value("Z_MIN_POS", "lowest z of the tool", SIGNED_MILLIMETRES).value_or(0);
+  const std::string lowest = "lowest z of the tool";
+  delta.lowest = reading.has("Z_MIN_POS") ? marlin.value("Z_MIN_POS", lowest, SIGNED_MILLIMETRES)
+                                          : reading.assume("Z_MIN_POS", lowest, 0);
 }
 }  // namespace
 

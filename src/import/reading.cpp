@@ -70,9 +70,23 @@ std::optional<Decimal> Reading::needed(const std::string& key, const std::string
   return value(key, what, quantity);
 }
 
+std::optional<Decimal> Reading::valueOr(const std::string& key, const std::string& what, const Quantity& quantity,
+                                        const Decimal& otherwise)
+{
+  return has(key) ? value(key, what, quantity) : assume(key, what, otherwise, quantity.si);
+}
+
 void Reading::take(const Entry& entry, const std::string& meaning)
 {
   taken.push_back({ entry.place, entry.key, entry.text, meaning });
+}
+
+Decimal Reading::assume(const std::string& key, const std::string& what, const Decimal& value, const std::string& unit)
+{
+  SourcePlace nowhere;
+  nowhere.file = file;
+  take({ nowhere, key, "not set" }, what + ": " + measure(value, unit) + ", the default");
+  return value;
 }
 
 void Reading::leave(const Entry& entry, const std::string& reason)

@@ -68,10 +68,15 @@ public:
   /// The same where a machine needs it. @param remedy what to do where it is missing
   std::optional<Decimal> needed(const std::string& key, const std::string& what, const Quantity& quantity,
                                 const std::string& remedy);
+  /// The same, or the firmware's default where it is not there. @param otherwise in metres or degrees
+  std::optional<Decimal> valueOr(const std::string& key, const std::string& what, const Quantity& quantity,
+                                 const Decimal& otherwise);
   /// A number within the range, from the file's unit; the problem is told otherwise.
   std::optional<Decimal> inRange(const Entry& entry, const std::string& text, const Quantity& quantity);
 
   void take(const Entry& entry, const std::string& meaning);
+  /// Tells a default of the firmware. @param value in metres or degrees @return the value
+  Decimal assume(const std::string& key, const std::string& what, const Decimal& value, const std::string& unit = "m");
   void leave(const Entry& entry, const std::string& reason);
   void miss(const std::string& key, const std::string& remedy);
   template <class... Parts>

@@ -119,10 +119,11 @@ void readRepRapFirmware(const Source& source, Reading& reading, LinearDelta& del
   }
   delta.slope_x = reading.value("M666 A", "slope of the bed along x", PERCENT).value_or(0);
   delta.slope_y = reading.value("M666 B", "slope of the bed along y", PERCENT).value_or(0);
-  delta.print_radius = reading.value("M665 B", "largest distance of the tool from the middle", MILLIMETRES)
-                           .value_or(Decimal(DEFAULT_PRINT_RADIUS, -3));
-  delta.lowest = reading.value("M208 Z", "lowest z of the tool", SIGNED_MILLIMETRES).value_or(0);
-  reading.leaveKinds(otherCommand, "no part of the geometry");
+  delta.print_radius = reading.valueOr("M665 B", "largest distance of the tool from the middle", MILLIMETRES,
+                                       Decimal(DEFAULT_PRINT_RADIUS, -3));
+  delta.lowest = reading.valueOr("M208 Z", "lowest z of the tool", SIGNED_MILLIMETRES, 0);
+  const auto no_limit = [](const Entry& entry) { return entry.key == "M208" ? "" : otherCommand(entry); };
+  reading.leaveKinds(no_limit, "no part of the geometry");
   reading.leaveRest(rrfReason);
 }
 }  // namespace firmware

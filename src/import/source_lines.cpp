@@ -9,7 +9,7 @@ namespace pkm_workspace
 {
 std::string toText(const SourcePlace& place)
 {
-  return place.file + ":" + std::to_string(place.line);
+  return place.line == 0 ? place.file : place.file + ":" + std::to_string(place.line);
 }
 
 namespace firmware

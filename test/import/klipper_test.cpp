@@ -88,7 +88,9 @@ TEST(Klipper, TellsWhatItTookAndWhatNot)
   EXPECT_NE(reasonFor(machine, "[gcode_macro PARK]"), "");
   EXPECT_NE(reasonFor(machine, "include macros.cfg").find("was not read"), std::string::npos);
   for (const TakenValue& taken : machine.taken)
-    EXPECT_GT(taken.place.line, 0U) << taken.key;
+    EXPECT_EQ(taken.place.line > 0, taken.written != "not set") << taken.key;
+  EXPECT_EQ(meaningOf(machine, "stepper_c arm_length"), "strut of stepper_c: 0.269 m, the default");
+  EXPECT_EQ(meaningOf(imported(plainKlipper()), "stepper_b angle"), "direction of stepper_b: 330 degrees, the default");
 }
 
 TEST(Klipper, ReadsWhatItIncludes)

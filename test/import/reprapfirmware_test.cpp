@@ -97,6 +97,7 @@ TEST(RepRapFirmware, OneLengthIsForAllRods)
   const FirmwareMachine machine = imported("M669 K3\nM665 R130.25 L269 H300\n");
   expectSameKinematics(machine.machine, 70.0, RepRapNumbers{ { 269, 269, 269 }, 130.25, { 0, 0, 0 }, 0, 0 });
   EXPECT_EQ(meaningOf(machine, "M665 L"), "struts: 0.269 m, 0.269 m, 0.269 m");
+  EXPECT_EQ(meaningOf(machine, "M665 B"), "largest distance of the tool from the middle: 0.08 m, the default");
 }
 
 TEST(RepRapFirmware, TellsWhatItTookAndWhatNot)
@@ -104,6 +105,7 @@ TEST(RepRapFirmware, TellsWhatItTookAndWhatNot)
   const FirmwareMachine machine = imported(configG());
   EXPECT_EQ(meaningOf(machine, "M666 A"), "slope of the bed along x: 0.0011 m for each metre");
   EXPECT_EQ(meaningOf(machine, "M208 Z"), "lowest z of the tool: -0.0005 m");
+  EXPECT_EQ(reasonFor(machine, "M208"), "on a delta only the lower end of Z is used");
   EXPECT_EQ(reasonFor(machine, "M569"), "no part of the geometry (3 values)");
   EXPECT_NE(reasonFor(imported(edited(configG(), "B110.0", "B110.0 Q5")), "M665 Q"), "");
   EXPECT_NE(reasonFor(imported(edited(configG(), "B110.0", "B110.0 \xC2\xB0")), "M665 \xC2\xB0"), "");

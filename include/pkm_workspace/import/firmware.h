@@ -15,9 +15,9 @@ namespace pkm_workspace
 struct SourcePlace
 {
   std::string file;
-  std::size_t line = 0;  ///< from 1 on
+  std::size_t line = 0;  ///< from 1 on; 0 where it says nothing, and a default of the firmware counts
 };
-/// "printer.cfg:12".
+/// "printer.cfg:12"; "printer.cfg" without a line.
 std::string toText(const SourcePlace& place);
 
 /// One number that the machine is made of.
@@ -25,7 +25,7 @@ struct TakenValue
 {
   SourcePlace place;
   std::string key;      ///< as the firmware has it: "stepper_a arm_length"
-  std::string written;  ///< the value as the file has it
+  std::string written;  ///< the value as the file has it; "not set" for a default of the firmware
   std::string meaning;  ///< what it is, in metres and degrees
 };
 
