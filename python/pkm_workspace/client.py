@@ -3,29 +3,39 @@
 
     rospy.init_node("planner")
     machine = Client()                                           # of /pkm_workspace_node
-    region = machine.largest_region(shape="cube", accuracy=1e-4)
+    region = machine.largest_region(shape="cube", psi_min=0.4, accuracy=1e-4)
     print(region.size, region.size_upper_bound)                  # certified bracket [m]
-    if machine.check_box((0.1, 0.1, 0.1), (0.2, 0.2, 0.3)).verdict != machine.INSIDE:
+    if machine.check_box((0.1, 0.1, 0.1), (0.2, 0.2, 0.3), frame="table").verdict != machine.INSIDE:
         ...
-    answer = machine.check_line([(0, 0, 0), (0.2, 0, 0), (0.2, 0.2, 0.1)])
+    answer = machine.check_path([line((0, 0, 0), (0.2, 0, 0)), arc((0.2, 0, 0), (0.3, 0.1, 0), (0.2, 0.2, 0))])
     if answer.verdict == machine.OUTSIDE:
         print(answer.message)                                    # where along the path, and which limit binds
     print(machine.evaluate((0.1, 0, 0)).psi)                     # enclosures of the transmission factors
 
-Lengths are metres. Every call raises Refused where the node refuses, with its error_code and message, and
-rospy.ServiceException or rospy.ROSException where there is no node.
+Lengths are metres, angles radians. Keywords are the fields of the request and of its criterion by their names (psi_min,
+kappa_max, ...), and besides: frame, search_box and box (two corners each), joint_limits as True or False, set, aspect and
+psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that there is not and for a value of
+another type, Refused where the node refuses, with its error_code and message, and rospy.ServiceException or
+rospy.ROSException where there is no node.
 """
 
+import copy
 import threading
+import time
+import xmlrpc.client
 
 import actionlib
+import genpy
+import rosgraph
 import rospy
-from geometry_msgs.msg import Point
+from actionlib_msgs.msg import GoalStatus
+from geometry_msgs.msg import Point, Vector3
 from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceGoal, CriterionRequest, ErrorCode,
                                FindLargestRegionAction, FindLargestRegionGoal, PavingRequest, RegionRequest,
                                ToolSegment)
 from pkm_workspace.srv import (CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion, CheckRegionRequest,
-                               ComputeLargestRegion, ComputeWorkspace, EvaluatePoint, EvaluatePointRequest, GetRegion)
+                               ComputeLargestRegion, ComputeWorkspace, EvaluatePoint, EvaluatePointRequest, GetRegion,
+                               SetCriterion, SetCriterionRequest)
 from shape_msgs.msg import SolidPrimitive
 from std_msgs.msg import Header
 
@@ -38,12 +48,87 @@ class Refused(Exception):
         self.error_code = error_code
 
 
-class Goal:
-    """A goal that was sent. Unlike actionlib's SimpleActionClient it misses no goal that ends at once."""
+TRIPLES = {"geometry_msgs/Point": Point, "geometry_msgs/Vector3": Vector3}
+CORNERS = {"search_box": "use_search_box", "box": "use_box"}
+CHOICES = ("set", "aspect", "psi")
 
-    def __init__(self, client, goal, feedback, active):
+
+def line(start, end):
+    """A straight piece of a path."""
+    return ToolSegment(kind=ToolSegment.LINE, start=Point(*start), end=Point(*end))
+
+
+def arc(start, via, end):
+    """The arc of a circle through three points."""
+    return ToolSegment(kind=ToolSegment.ARC_THROUGH, start=Point(*start), via=Point(*via), end=Point(*end))
+
+
+def turn(start, center, axis, angle, lift=0.0):
+    """The arc from start about the axis through the center by an angle; a helix where it climbs along the axis."""
+    return ToolSegment(kind=ToolSegment.ARC, start=Point(*start), center=Point(*center), axis=Vector3(*axis), angle=angle,
+                       lift=lift)
+
+
+def read_value(message, name, value):
+    """The value as the field of a message has it."""
+    kind = TRIPLES.get(dict(zip(message.__slots__, message._slot_types))[name])
+    if kind and not isinstance(value, kind):
+        return kind(*value)
+    if name == "joint_limits" and isinstance(value, bool):
+        return CriterionRequest.ON if value else CriterionRequest.OFF
+    if name in CHOICES and isinstance(value, str):
+        choice = getattr(CriterionRequest, value.upper(), None)
+        if choice is None:
+            raise TypeError(f"{name} = '{value}' is none of the constants of CriterionRequest")
+        return choice
+    return value
+
+
+def fill(message, criterion=None, frame="", **fields):
+    """The message with these fields of its own and of its criterion."""
+    own = [name for name in message.__slots__ if name != "criterion"]
+    message.criterion = copy.copy(criterion) if criterion else CriterionRequest()
+    if frame:
+        message.header = Header(frame_id=frame)
+    for name, value in fields.items():
+        if CORNERS.get(name) in own:
+            setattr(message, CORNERS[name], True)
+            message.min_corner, message.max_corner = (Point(*corner) for corner in value)
+        elif name in own:
+            setattr(message, name, read_value(message, name, value))
+        elif name in CriterionRequest.__slots__:
+            setattr(message.criterion, name, read_value(message.criterion, name, value))
+        else:
+            raise TypeError(f"{name} is no field of a {type(message).__name__}; these are: "
+                            + ", ".join([*own, *CriterionRequest.__slots__]))
+    try:
+        message._check_types()
+    except genpy.SerializationError as error:
+        raise TypeError(str(error)) from error
+    return message
+
+
+def process_of(node):
+    """The process that the node runs in; None where there is none."""
+    try:
+        uri = rosgraph.Master(rospy.get_name()).lookupNode(node)
+        return xmlrpc.client.ServerProxy(uri).getPid(rospy.get_name())[2]
+    except (rosgraph.MasterException, OSError, xmlrpc.client.Error):
+        return None
+
+
+class Goal:
+    """A goal that was sent. Unlike actionlib's SimpleActionClient it misses no goal that ends at once, and it ends, LOST,
+    when its node does."""
+
+    GLANCE = 0.5  # [s] between two looks at the node while waiting
+
+    def __init__(self, client, goal, feedback, active, node=""):
         self.ended = threading.Event()
         self.active = active
+        self.node = node
+        self.process = process_of(node) if node else None
+        self.lost = False
         tell = (lambda _, message: feedback(message)) if feedback else None
         self.handle = client.send_goal(goal, self.change, tell)
 
@@ -60,15 +145,24 @@ class Goal:
 
     def wait_for_result(self, seconds):
         """Returns whether it has ended in time."""
-        return self.ended.wait(seconds)
+        deadline = time.monotonic() + seconds
+        missed = 0  # glances in a row that did not find the node
+        while not self.ended.wait(max(0.0, min(self.GLANCE, deadline - time.monotonic()))):
+            missed = missed + 1 if self.node and process_of(self.node) != self.process else 0
+            if missed == 2:
+                self.lost = True
+                self.ended.set()
+            elif time.monotonic() >= deadline:
+                return False
+        return True
 
     def get_state(self):
         """A constant of actionlib_msgs/GoalStatus."""
-        return self.handle.get_goal_status()
+        return GoalStatus.LOST if self.lost else self.handle.get_goal_status()
 
     def get_result(self):
-        """What it has ended with."""
-        return self.handle.get_result()
+        """What it has ended with; None of a goal that is lost."""
+        return None if self.lost else self.handle.get_result()
 
 
 class Client:
@@ -87,7 +181,7 @@ class Client:
 
     def largest_region(self, **fields):
         """The largest region for the fields of a RegionRequest, a Region."""
-        return self.call("compute_largest_region", ComputeLargestRegion, RegionRequest(**fields)).region
+        return self.call("compute_largest_region", ComputeLargestRegion, fill(RegionRequest(), **fields)).region
 
     def last_region(self):
         """The last region that was computed, at once."""
@@ -95,7 +189,7 @@ class Client:
 
     def workspace(self, **fields):
         """The set of all good points by boxes for the fields of a PavingRequest, a Workspace."""
-        return self.call("compute_workspace", ComputeWorkspace, PavingRequest(**fields)).workspace
+        return self.call("compute_workspace", ComputeWorkspace, fill(PavingRequest(), **fields)).workspace
 
     def find_region(self, feedback=None, active=None, **fields):
         """Begins to look for the largest region. Returns the Goal.
@@ -104,40 +198,39 @@ class Client:
         that it cancels before the node has heard of it.
         """
         return self.send("find_largest_region", FindLargestRegionAction,
-                         FindLargestRegionGoal(RegionRequest(**fields)), feedback, active)
+                         FindLargestRegionGoal(fill(RegionRequest(), **fields)), feedback, active)
 
     def approximate_workspace(self, feedback=None, active=None, **fields):
         """Begins to pave, as above."""
         return self.send("approximate_workspace", ApproximateWorkspaceAction,
-                         ApproximateWorkspaceGoal(PavingRequest(**fields)), feedback, active)
+                         ApproximateWorkspaceGoal(fill(PavingRequest(), **fields)), feedback, active)
 
-    def check_box(self, center, sides, frame="", criterion=None):
+    def set_criterion(self, **fields):
+        """Changes what the node asks for from now on, for the fields of a SetCriterion request. Returns the Hypotheses."""
+        return self.call("set_criterion", SetCriterion, fill(SetCriterionRequest(), **fields)).hypotheses
+
+    def check_box(self, center, sides, frame="", criterion=None, **fields):
         """Whether all of a box is good. Sides are along the axes of the frame."""
-        return self.check_solid(center, SolidPrimitive(SolidPrimitive.BOX, list(sides)), frame, criterion)
+        return self.check_solid(center, SolidPrimitive(SolidPrimitive.BOX, list(sides)), frame, criterion, **fields)
 
-    def check_solid(self, center, solid, frame="", criterion=None):
+    def check_solid(self, center, solid, frame="", criterion=None, **fields):
         """The same for any SolidPrimitive but a cone."""
         return self.call("check_region", CheckRegion,
-                         CheckRegionRequest(header=Header(frame_id=frame), solid=solid, center=Point(*center),
-                                            criterion=criterion or CriterionRequest()))
+                         fill(CheckRegionRequest(solid=solid), criterion, frame, center=center, **fields))
 
-    def check_line(self, points, frame="", criterion=None, tool_speed=0.0):
+    def check_line(self, points, frame="", criterion=None, **fields):
         """Whether all of the way through these points is good."""
-        segments = [ToolSegment(kind=ToolSegment.LINE, start=Point(*a), end=Point(*b))
-                    for a, b in zip(points, points[1:])]
-        return self.check_path(segments, frame, criterion, tool_speed)
+        return self.check_path([line(*ends) for ends in zip(points, points[1:])], frame, criterion, **fields)
 
-    def check_path(self, segments, frame="", criterion=None, tool_speed=0.0):
-        """The same for lines, arcs and helices."""
+    def check_path(self, segments, frame="", criterion=None, **fields):
+        """The same for lines, arcs and helices: line(), arc(), turn(). Its keywords: tool_speed [m/s]."""
         return self.call("check_path", CheckPath,
-                         CheckPathRequest(header=Header(frame_id=frame), segments=segments, tool_speed=tool_speed,
-                                          criterion=criterion or CriterionRequest()))
+                         fill(CheckPathRequest(segments=segments), criterion, frame, **fields))
 
-    def evaluate(self, point, frame="", criterion=None):
+    def evaluate(self, point, frame="", criterion=None, **fields):
         """How the machine stands at a point."""
         return self.call("evaluate_point", EvaluatePoint,
-                         EvaluatePointRequest(header=Header(frame_id=frame), point=Point(*point),
-                                              criterion=criterion or CriterionRequest()))
+                         fill(EvaluatePointRequest(), criterion, frame, point=point, **fields))
 
     def call(self, name, kind, *request):
         """Calls a service of the node by name. Raises Refused unless it succeeds."""
@@ -160,4 +253,4 @@ class Client:
         client = self.actions[name]
         if not client.wait_for_server(rospy.Duration(self.timeout)):
             raise rospy.ROSException(f"{self.node}/{name} is not offered")
-        return Goal(client, goal, feedback, active)
+        return Goal(client, goal, feedback, active, self.node)

@@ -22,6 +22,54 @@ TEST(Client, doesWhatItsExampleSays)
   EXPECT_GT(machine.workspace().volume_lower_bound, 0.0);
 }
 
+TEST(Client, takesFieldsByName)
+{
+  Client machine;
+  const Region region = machine.largestRegion(with::shape("box"), with::proportions({ 2, 1, 1 }), with::psi_min(0.4),
+                                              with::kappa_max(4.0), with::joint_limits(false), with::accuracy(0.01),
+                                              with::frame("base_link"));
+  EXPECT_EQ(RegionRequest::BOX, region.shape);
+  EXPECT_EQ(0.4, region.hypotheses.psi_min);
+  EXPECT_EQ(4.0, region.hypotheses.kappa_max);
+  EXPECT_FALSE(region.hypotheses.joint_limits);
+  const Region near = machine.largestRegion(with::search_box({ 0, 0, 0 }, { 0.05, 0.05, 0.05 }), with::accuracy(0.01));
+  EXPECT_LE(near.center.x, 0.05);
+  EXPECT_EQ(machine.OUTSIDE, machine.checkBox({ 0, 0, 0 }, { 0.1, 0.1, 0.1 }, with::psi_max(1.001)).verdict);
+  EXPECT_EQ(0.0, machine.evaluate({ 0, 0, 0 }, with::set(CriterionRequest::REACHABLE)).hypotheses.psi_min);
+  EXPECT_GT(machine.workspace(with::box({ 0, 0, 0 }, { 0.1, 0.1, 0.1 }), with::resolution(0.05)).volume_lower_bound, 0);
+}
+
+TEST(Client, checksArcsAndHelices)
+{
+  Client machine;
+  const Triple end = { -0.1, 0, 0 };
+  const auto answer = machine.checkPath({ line({ 0, 0, 0 }, { 0.1, 0, 0 }), arc({ 0.1, 0, 0 }, { 0, 0.1, 0 }, end),
+                                          turn(end, { 0, 0, 0 }, { 0, 0, 1 }, 3.0, 0.05) },
+                                        with::tool_speed(0.1));
+  EXPECT_EQ(machine.INSIDE, answer.verdict);
+  EXPECT_EQ(3U, answer.segment_verdicts.size());
+}
+
+TEST(Client, followsGoals)
+{
+  Client machine;
+  auto goal = machine.findRegion({}, with::shape("cube"), with::accuracy(0.01));
+  ASSERT_TRUE(goal.waitForResult(PATIENCE.toSec()));
+  EXPECT_EQ(ErrorCode::SUCCESS, goal.result().error_code);
+  EXPECT_EQ(Region::PROVEN, goal.result().region.status);
+  auto refused = machine.findRegion({}, with::accuracy(-1.0));
+  ASSERT_TRUE(refused.waitForResult(PATIENCE.toSec()));
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, refused.result().error_code);
+  auto endless = machine.approximateWorkspace({}, with::set(CriterionRequest::REACHABLE), with::resolution(1e-4),
+                                              with::time_limit(86400.0));
+  EXPECT_FALSE(endless.waitForResult(0.0));
+  EXPECT_THROW(endless.result(), std::runtime_error);
+  endless.cancel();
+  EXPECT_TRUE(endless.waitForResult(PATIENCE.toSec()));
+  auto paving = machine.approximateWorkspace({}, with::resolution(0.1));
+  EXPECT_TRUE(paving.waitForResult(PATIENCE.toSec()));
+}
+
 TEST(Client, throwsWhatTheNodeRefuses)
 {
   Client machine;

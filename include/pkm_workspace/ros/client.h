@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <geometry_msgs/Point.h>
+#include <pkm_workspace/ApproximateWorkspaceAction.h>
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/CheckRegion.h>
 #include <pkm_workspace/ComputeLargestRegion.h>
 #include <pkm_workspace/ComputeWorkspace.h>
 #include <pkm_workspace/ErrorCode.h>
 #include <pkm_workspace/EvaluatePoint.h>
+#include <pkm_workspace/FindLargestRegionAction.h>
 #include <pkm_workspace/GetRegion.h>
+#include <pkm_workspace/SetCriterion.h>
 #include <ros/node_handle.h>
 #include <ros/service.h>
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "pkm_workspace/ros/client_fields.h"
+#include "pkm_workspace/ros/client_goal.h"
 
 namespace pkm_workspace
 {
@@ -27,37 +34,47 @@ struct Refused : std::runtime_error
   std::int32_t error_code;  ///< a constant of ErrorCode.msg
 };
 
-/// A small client of pkm_workspace_node, for planners in C++. Header only: needs messages and roscpp, not the library.
+/// A small client of pkm_workspace_node, for planners in C++17. Header only: needs messages, roscpp and actionlib, not
+/// the library.
 ///
 ///     pkm_workspace::Client machine;  // of /pkm_workspace_node
-///     pkm_workspace::RegionRequest request;
-///     request.shape = request.CUBE;
-///     const auto region = machine.largestRegion(request);  // region.size <= largest edge <= region.size_upper_bound
-///     if (machine.checkBox({ 0.1, 0.1, 0.1 }, { 0.2, 0.2, 0.3 }).verdict !=
-///     pkm_workspace::CheckRegion::Response::INSIDE)
+///     const auto region = machine.largestRegion(with::shape("cube"), with::psi_min(0.4), with::accuracy(1e-4));
+///     // region.size <= largest edge <= region.size_upper_bound
+///     if (machine.checkBox({ 0.1, 0.1, 0.1 }, { 0.2, 0.2, 0.3 }, with::frame("table")).verdict != machine.INSIDE)
 ///       ...
-///     const auto answer = machine.checkLine({ { 0.0, 0.0, 0.0 }, { 0.2, 0.0, 0.0 } });
-///     if (answer.verdict == pkm_workspace::CheckPath::Response::OUTSIDE)
+///     const auto answer = machine.checkPath({ line({ 0, 0, 0 }, { 0.2, 0, 0 }),
+///                                             arc({ 0.2, 0, 0 }, { 0.3, 0.1, 0 }, { 0.2, 0.2, 0 }) });
+///     if (answer.verdict == machine.OUTSIDE)
 ///       ROS_WARN_STREAM(answer.message);  // where along the path, and which limit binds
 ///
-/// Lengths are metres. Persistent connections: make one client and keep it; one for each thread. Every call
-/// @throws Refused where the node refuses, std::runtime_error where it does not answer
+/// Lengths are metres, angles radians; fields by name: client_fields.h. Persistent connections: make one client and
+/// keep it; one for each thread. Every call @throws Refused where the node refuses, std::runtime_error where it does
+/// not answer
 class Client
 {
 public:
-  using Triple = std::vector<double>;  ///< x, y, z
+  static constexpr std::uint8_t INSIDE = CheckPath::Response::INSIDE;
+  static constexpr std::uint8_t OUTSIDE = CheckPath::Response::OUTSIDE;
+  static constexpr std::uint8_t UNDECIDED = CheckPath::Response::UNDECIDED;
 
-  /// @param patience for each service when it is first called [s]
+  /// @param patience for each service and action when it is first called [s]
   explicit Client(std::string node = "/pkm_workspace_node", double patience = 10.0)
     : node_(std::move(node)), patience_(patience)
-  {}
+  {
+    actions_.setCallbackQueue(&queue_);
+  }
 
-  /// The largest region. @param query left at its defaults: the node's own
-  Region largestRegion(const RegionRequest& query = {})
+  /// The largest region; without fields, the node's own.
+  template <class... Fields>
+  Region largestRegion(const Fields&... fields)
   {
     ComputeLargestRegion service;
-    service.request.query = query;
+    fill(service.request.query, fields...);
     return call("compute_largest_region", service).region;
+  }
+  Region largestRegion(const RegionRequest& query)
+  {
+    return largestRegion([&query](RegionRequest& request) { request = query; });
   }
 
   /// The last region that was computed, at once.
@@ -68,46 +85,92 @@ public:
   }
 
   /// The set of all good points by boxes.
-  Workspace workspace(const PavingRequest& query = {})
+  template <class... Fields>
+  Workspace workspace(const Fields&... fields)
   {
     ComputeWorkspace service;
-    service.request.query = query;
+    fill(service.request.query, fields...);
     return call("compute_workspace", service).workspace;
   }
 
-  /// Whether all of a box is good. @param sides along the axes of the frame @param frame empty: the root link's
-  CheckRegion::Response checkBox(const Triple& center, const Triple& sides, const std::string& frame = "")
+  /// Begins to look for the largest region. @param feedback is called as the bracket closes; may be empty
+  template <class... Fields>
+  Goal<FindLargestRegionAction> findRegion(const std::function<void(const FindLargestRegionFeedback&)>& feedback,
+                                           const Fields&... fields)
+  {
+    FindLargestRegionGoal goal;
+    fill(goal.query, fields...);
+    return { connect(finding_, "find_largest_region"), goal, feedback };
+  }
+
+  /// Begins to pave.
+  template <class... Fields>
+  Goal<ApproximateWorkspaceAction> approximateWorkspace(
+      const std::function<void(const ApproximateWorkspaceFeedback&)>& feedback, const Fields&... fields)
+  {
+    ApproximateWorkspaceGoal goal;
+    fill(goal.query, fields...);
+    return { connect(paving_, "approximate_workspace"), goal, feedback };
+  }
+
+  /// Changes what the node asks for from now on. @return what is in effect
+  template <class... Fields>
+  Hypotheses setCriterion(const Fields&... fields)
+  {
+    SetCriterion service;
+    fill(service.request, fields...);
+    return call("set_criterion", service).hypotheses;
+  }
+
+  /// Whether all of a box is good. @param sides along the axes of the frame
+  template <class... Fields>
+  CheckRegion::Response checkBox(const Triple& center, const Triple& sides, const Fields&... fields)
+  {
+    shape_msgs::SolidPrimitive solid;
+    solid.type = shape_msgs::SolidPrimitive::BOX;
+    solid.dimensions.assign(sides.begin(), sides.end());
+    return checkSolid(center, solid, fields...);
+  }
+
+  /// The same for any SolidPrimitive but a cone.
+  template <class... Fields>
+  CheckRegion::Response checkSolid(const Triple& center, const shape_msgs::SolidPrimitive& solid,
+                                   const Fields&... fields)
   {
     CheckRegion service;
-    service.request.header.frame_id = frame;
-    service.request.solid.type = shape_msgs::SolidPrimitive::BOX;
-    service.request.solid.dimensions = sides;
-    service.request.center = point(center);
+    service.request.solid = solid;
+    service.request.center = messageOf(center);
+    fill(service.request, fields...);
     return call("check_region", service);
   }
 
   /// Whether all of the way through these points is good.
-  CheckPath::Response checkLine(const std::vector<Triple>& points, const std::string& frame = "")
+  template <class... Fields>
+  CheckPath::Response checkLine(const std::vector<Triple>& points, const Fields&... fields)
+  {
+    std::vector<ToolSegment> segments;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      segments.push_back(line(points[k], points[k + 1]));
+    return checkPath(segments, fields...);
+  }
+
+  /// The same for lines, arcs and helices: line(), arc(), turn().
+  template <class... Fields>
+  CheckPath::Response checkPath(const std::vector<ToolSegment>& segments, const Fields&... fields)
   {
     CheckPath service;
-    service.request.header.frame_id = frame;
-    for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    {
-      ToolSegment segment;
-      segment.kind = ToolSegment::LINE;
-      segment.start = point(points[k]);
-      segment.end = point(points[k + 1]);
-      service.request.segments.push_back(segment);
-    }
+    service.request.segments = segments;
+    fill(service.request, fields...);
     return call("check_path", service);
   }
 
   /// How the machine stands at a point.
-  EvaluatePoint::Response evaluate(const Triple& place, const std::string& frame = "")
+  template <class... Fields>
+  EvaluatePoint::Response evaluate(const Triple& place, const Fields&... fields)
   {
     EvaluatePoint service;
-    service.request.header.frame_id = frame;
-    service.request.point = point(place);
+    service.request.point = messageOf(place);
+    fill(service.request, fields...);
     return call("evaluate_point", service);
   }
 
@@ -133,18 +196,35 @@ public:
   }
 
 private:
-  static geometry_msgs::Point point(const Triple& triple)
+  template <class Request, class... Fields>
+  static void fill(Request& request, const Fields&... fields)
   {
-    geometry_msgs::Point message;
-    message.x = triple.at(0);
-    message.y = triple.at(1);
-    message.z = triple.at(2);
-    return message;
+    (fields(request), ...);
+  }
+
+  /// Connects to each action once, with a thread for what it tells.
+  template <class Action>
+  std::shared_ptr<actionlib::ActionClient<Action>> connect(std::shared_ptr<actionlib::ActionClient<Action>>& client,
+                                                           const std::string& name)
+  {
+    if (!client)
+    {
+      client = std::make_shared<actionlib::ActionClient<Action>>(actions_, node_ + "/" + name, &queue_);
+      spinner_.start();
+    }
+    if (!client->waitForActionServerToStart(ros::Duration(patience_)))
+      throw std::runtime_error(node_ + "/" + name + " is not offered");
+    return client;
   }
 
   ros::NodeHandle handle_;
+  ros::NodeHandle actions_;
   std::string node_;
   double patience_;
   std::map<std::string, ros::ServiceClient> clients_;
+  ros::CallbackQueue queue_;
+  std::shared_ptr<actionlib::ActionClient<FindLargestRegionAction>> finding_;
+  std::shared_ptr<actionlib::ActionClient<ApproximateWorkspaceAction>> paving_;
+  ros::AsyncSpinner spinner_{ 1, &queue_ };
 };
 }  // namespace pkm_workspace

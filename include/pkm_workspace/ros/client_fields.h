@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <pkm_workspace/CriterionRequest.h>
+#include <pkm_workspace/ToolSegment.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace pkm_workspace
+{
+/// x, y, z of a point [m] or of a direction.
+using Triple = std::array<double, 3>;
+
+/// @tparam Message geometry_msgs/Point or Vector3
+template <class Message = geometry_msgs::Point>
+Message messageOf(const Triple& triple)
+{
+  Message message;
+  message.x = triple[0];
+  message.y = triple[1];
+  message.z = triple[2];
+  return message;
+}
+
+/// Pieces of a path.
+inline ToolSegment line(const Triple& start, const Triple& end)
+{
+  ToolSegment segment;
+  segment.kind = ToolSegment::LINE;
+  segment.start = messageOf(start);
+  segment.end = messageOf(end);
+  return segment;
+}
+
+/// The arc of a circle through three points.
+inline ToolSegment arc(const Triple& start, const Triple& via, const Triple& end)
+{
+  ToolSegment segment = line(start, end);
+  segment.kind = ToolSegment::ARC_THROUGH;
+  segment.via = messageOf(via);
+  return segment;
+}
+
+/// The arc from start about the axis through the center [rad]; a helix where it climbs along the axis [m].
+inline ToolSegment turn(const Triple& start, const Triple& center, const Triple& axis, double angle, double lift = 0.0)
+{
+  ToolSegment segment;
+  segment.kind = ToolSegment::ARC;
+  segment.start = messageOf(start);
+  segment.center = messageOf(center);
+  segment.axis = messageOf<geometry_msgs::Vector3>(axis);
+  segment.angle = angle;
+  segment.lift = lift;
+  return segment;
+}
+
+/// What a request holds, by name, to be handed to a call of Client: machine.largestRegion(with::shape("cube"),
+/// with::psi_min(0.4)). Each takes effect on a request that has such a field, and does not compile for another.
+namespace with
+{
+// The request's own.
+inline auto frame(const std::string& name)
+{
+  return [name](auto& request) { request.header.frame_id = name; };
+}
+inline auto shape(const std::string& name)
+{
+  return [name](auto& request) { request.shape = name; };
+}
+/// Sides of a box.
+inline auto proportions(const Triple& sides)
+{
+  return [sides](auto& request) { request.proportions = messageOf<geometry_msgs::Vector3>(sides); };
+}
+/// Radius over height of a cylinder.
+inline auto ratio(double least, double largest)
+{
+  return [least, largest](auto& request) {
+    request.ratio_min = least;
+    request.ratio_max = largest;
+  };
+}
+inline auto accuracy(double value)
+{
+  return [value](auto& request) { request.accuracy = value; };
+}
+inline auto resolution(double value)
+{
+  return [value](auto& request) { request.resolution = value; };
+}
+inline auto time_limit(double seconds)
+{
+  return [seconds](auto& request) { request.time_limit = seconds; };
+}
+inline auto tool_speed(double value)
+{
+  return [value](auto& request) { request.tool_speed = value; };
+}
+/// Where the center of a region may be.
+inline auto search_box(const Triple& lower, const Triple& upper)
+{
+  return [lower, upper](auto& request) {
+    request.use_search_box = true;
+    request.min_corner = messageOf(lower);
+    request.max_corner = messageOf(upper);
+  };
+}
+/// What is paved.
+inline auto box(const Triple& lower, const Triple& upper)
+{
+  return [lower, upper](auto& request) {
+    request.use_box = true;
+    request.min_corner = messageOf(lower);
+    request.max_corner = messageOf(upper);
+  };
+}
+
+// Its criterion's; those without an argument choose a constant of CriterionRequest.
+inline auto criterion(const CriterionRequest& value)
+{
+  return [value](auto& request) { request.criterion = value; };
+}
+inline auto psi_min(double value)
+{
+  return [value](auto& request) { request.criterion.psi_min = value; };
+}
+inline auto psi_max(double value)
+{
+  return [value](auto& request) { request.criterion.psi_max = value; };
+}
+inline auto psi_auto()
+{
+  return [](auto& request) { request.criterion.psi = CriterionRequest::AUTO; };
+}
+inline auto force_min(double value)
+{
+  return [value](auto& request) { request.criterion.force_min = value; };
+}
+inline auto force_max(double value)
+{
+  return [value](auto& request) { request.criterion.force_max = value; };
+}
+inline auto kappa_max(double value)
+{
+  return [value](auto& request) { request.criterion.kappa_max = value; };
+}
+inline auto set(std::uint8_t value)
+{
+  return [value](auto& request) { request.criterion.set = value; };
+}
+inline auto aspect(std::uint8_t value)
+{
+  return [value](auto& request) { request.criterion.aspect = value; };
+}
+inline auto joint_limits(bool on)
+{
+  return [on](auto& request) { request.criterion.joint_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
+}
+}  // namespace with
+}  // namespace pkm_workspace

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python client: keywords for what requests hold, its exceptions, paths with arcs, and what becomes of goals whose
+node dies, in both clients."""
+
+import subprocess
+import threading
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from node_process import NAME, PATIENCE, NodeProcess, urdf
+from pkm_workspace.client import Client, Refused, arc, line, turn
+from pkm_workspace.msg import CriterionRequest, ErrorCode, Region
+
+ENDLESS = {"set": "reachable", "resolution": 1e-4, "time_limit": 86400.0}  # a paving
+
+
+class ClientsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.node = NodeProcess(urdf("orthoglide"))
+        cls.machine = Client(NAME, PATIENCE)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.node.__exit__()
+
+    def test_keywords_are_fields_of_request_and_criterion(self):
+        region = self.machine.largest_region(shape="box", proportions=(2, 1, 1), psi_min=0.4, kappa_max=4,
+                                             joint_limits=False, frame="base_link", accuracy=0.01)
+        self.assertEqual(region.shape, Region.BOX)
+        self.assertEqual((region.proportions.x, region.proportions.y), (2, 1))
+        said = region.hypotheses
+        self.assertEqual((said.psi_min, said.psi_max, said.kappa_max, said.joint_limits), (0.4, 2, 4, False))
+        near = self.machine.largest_region(search_box=((0, 0, 0), (0.05, 0.05, 0.05)), accuracy=0.01)
+        self.assertLessEqual(max(near.center.x, near.center.y, near.center.z), 0.05)
+        both = self.machine.largest_region(criterion=CriterionRequest(psi_min=0.4), psi_max=2.5, accuracy=0.01)
+        self.assertEqual((both.hypotheses.psi_min, both.hypotheses.psi_max), (0.4, 2.5))
+        self.assertEqual(self.machine.evaluate((0, 0, 0), set="reachable").hypotheses.psi_min, 0)
+        self.assertEqual(self.machine.check_box((0, 0, 0), (0.1, 0.1, 0.1), psi_max=1.001).verdict, Client.OUTSIDE)
+
+    def test_paths_have_arcs(self):
+        start, over, end = (0.1, 0, 0), (0.0, 0.1, 0), (-0.1, 0, 0)
+        way = [line((0, 0, 0), start), arc(start, over, end), turn(end, (0, 0, 0), (0, 0, 1), 3.0, 0.05)]
+        answer = self.machine.check_path(way, tool_speed=0.1)
+        self.assertEqual((answer.verdict, len(answer.segment_verdicts)), (Client.INSIDE, 3))
+        self.assertEqual(self.machine.check_line([(0, 0, 0), (0.9, 0.9, 0)]).verdict, Client.OUTSIDE)
+
+    def test_sets_the_criterion(self):
+        self.assertEqual(self.machine.set_criterion(psi_min=0.4, accuracy=0.02).psi_min, 0.4)
+        said = self.machine.largest_region().hypotheses
+        self.assertEqual((said.psi_min, said.accuracy), (0.4, 0.02))
+        self.machine.set_criterion(psi_min=0.5)
+
+    def test_wrong_words_and_types_are_type_errors(self):
+        for fields, reason in (({"psi": "best"}, "psi = 'best'"), ({"psy_min": 0.3}, "psy_min is no field of a Region"),
+                               ({"psi_min": "small"}, "psi_min"), ({"accuracy": "fine"}, "accuracy"),
+                               ({"shape": 3}, "shape"), ({"proportions": (1, 2)}, ""), ({"proportions": "abc"}, "")):
+            with self.subTest(fields), self.assertRaisesRegex(TypeError, reason):
+                self.machine.largest_region(**fields)
+        with self.assertRaises(TypeError):
+            self.machine.check_box(("x", 0, 0), (1, 1, 1))
+        with self.assertRaises(Refused) as refused:
+            self.machine.largest_region(psi_min=-1.0)
+        self.assertEqual(refused.exception.error_code, ErrorCode.INVALID_REQUEST)
+        with self.assertRaises(rospy.ROSException):
+            Client("/nobody", 0.1).last_region()
+
+
+class GoalsTest(unittest.TestCase):
+    def test_goal_ends_when_its_node_does(self):
+        with NodeProcess(urdf("orthoglide")) as node:
+            running = threading.Event()
+            goal = Client(NAME, PATIENCE).approximate_workspace(lambda _: running.set(), **ENDLESS)
+            self.assertTrue(running.wait(PATIENCE))
+            self.assertFalse(goal.wait_for_result(1.5))
+            node.process.kill()
+            self.assertTrue(goal.wait_for_result(PATIENCE))
+            self.assertEqual((goal.get_state(), goal.get_result()), (GoalStatus.LOST, None))
+        with NodeProcess(urdf("orthoglide")) as node:
+            program = roslib.packages.find_node("pkm_workspace", "client_goal")[0]
+            with subprocess.Popen([program], stdout=subprocess.PIPE, text=True) as client:
+                self.assertEqual(client.stdout.readline(), "running\n")
+                node.process.kill()
+                self.assertEqual(client.stdout.read().split()[-1], "lost")
+
+
+if __name__ == "__main__":
+    rospy.init_node("clients_test")
+    rostest.rosrun("pkm_workspace", "clients", "__main__")
