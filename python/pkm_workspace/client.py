@@ -13,10 +13,10 @@
     print(machine.evaluate((0.1, 0, 0)).psi)                     # enclosures of the transmission factors
 
 Lengths are metres, angles radians. Keywords are the fields of the request and of its criterion by their names (psi_min,
-kappa_max, ...), and besides: frame, search_box and box (two corners each), joint_limits as True or False, set, aspect and
-psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that there is not and for a value of
-another type, Refused where the node refuses, with its error_code and message, and rospy.ServiceException or
-rospy.ROSException where there is no node.
+kappa_max, ...), and besides: frame, ratio (least and largest), search_box and box (two corners each), joint_limits as
+True or False, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that
+there is not and for a value of another type, Refused where the node refuses, with its error_code and message, and
+rospy.ServiceException or rospy.ROSException where there is no node.
 """
 
 import copy
@@ -94,6 +94,8 @@ def fill(message, criterion=None, frame="", **fields):
         if CORNERS.get(name) in own:
             setattr(message, CORNERS[name], True)
             message.min_corner, message.max_corner = (Point(*corner) for corner in value)
+        elif name == "ratio" and "ratio_min" in own:
+            message.ratio_min, message.ratio_max = value
         elif name in own:
             setattr(message, name, read_value(message, name, value))
         elif name in CriterionRequest.__slots__:

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm urdf: what it writes is read by the other commands as the machine that was asked for."""
 
+import json
 import math
+import re
 import unittest
 
-from pkm import URDF, CommandTest
+from pkm import URDF, CommandTest, run
 
 
 class Urdf(CommandTest):
@@ -92,6 +94,20 @@ class Urdf(CommandTest):
         height = 0.4 - math.sqrt(0.25 ** 2 - 0.1 ** 2)
         for value in self.answer("evaluate", "--urdf", urdf, "--point", 0, 0, height)["rho"]:
             self.assertAlmostEqual(value, -0.1, places=9)
+
+    def test_the_recipe_of_the_documentation_is_a_machine(self):
+        text = (URDF.parent / "docs" / "urdf.md").read_text(encoding="utf-8")
+        recipe = re.search(r"```xml\n(.*?)```", text, re.DOTALL).group(1)
+        head, rest = recipe.split("  <!-- leg 1 -->\n")
+        leg, tail = rest.split("  <!-- legs 2 and 3 -->\n")
+        legs = [leg.replace('_1"', f'_{number}"').replace('rpy="0 0 0"', f'rpy="0 0 {yaw}"')
+                for number, yaw in ((1, 0), (2, 2.0944), (3, -2.0944))]
+        urdf = self.file("recipe.urdf", head + "".join(legs) + tail)
+        process = run("evaluate", "--urdf", urdf, "--point", 0, 0, 0.9, "--json")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("drawn up to", process.stderr)  # its lean is rounded: the zero is where the struts meet
+        for rho in json.loads(process.stdout)["rho"]:
+            self.assertAlmostEqual(rho, 0.15 + 0.04 - 0.29 + math.sqrt(0.269 ** 2 - 0.1 ** 2), places=9)
 
 
 if __name__ == "__main__":

@@ -15,5 +15,6 @@ int main(int argc, char** argv)
   auto goal = machine.approximateWorkspace(tell, with::set(CriterionRequest::REACHABLE), with::resolution(1e-4),
                                            with::time_limit(86400.0));
   const bool ended = goal.waitForResult(60.0);
-  std::cout << (ended && goal.state() == Goal<ApproximateWorkspaceAction>::State::LOST ? "lost" : "not lost") << std::endl;
+  std::cout << (ended && goal.state() == Goal<ApproximateWorkspaceAction>::State::LOST ? "lost" : "not lost")
+            << std::endl;
 }

@@ -35,6 +35,8 @@ class ClientsTest(unittest.TestCase):
         self.assertEqual((region.proportions.x, region.proportions.y), (2, 1))
         said = region.hypotheses
         self.assertEqual((said.psi_min, said.psi_max, said.kappa_max, said.joint_limits), (0.4, 2, 4, False))
+        cylinder = self.machine.largest_region(shape="cylinder", ratio=(1, 1), accuracy=0.01).solid.dimensions
+        self.assertAlmostEqual(cylinder[0], cylinder[1], places=12)
         near = self.machine.largest_region(search_box=((0, 0, 0), (0.05, 0.05, 0.05)), accuracy=0.01)
         self.assertLessEqual(max(near.center.x, near.center.y, near.center.z), 0.05)
         both = self.machine.largest_region(criterion=CriterionRequest(psi_min=0.4), psi_max=2.5, accuracy=0.01)
