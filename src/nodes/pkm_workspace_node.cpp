@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "pkm_workspace/ros/server.h"
+#include "pkm_workspace/ros/node.h"
 
 int main(int argc, char** argv)
 {
@@ -11,7 +11,7 @@ int main(int argc, char** argv)
   const ros::NodeHandle node;  // out here: what is said after the last handle has gone is lost
   try
   {
-    return pkm_workspace::Server(node, ros::NodeHandle("~")).run() ? 0 : 1;
+    return pkm_workspace::Node(node, ros::NodeHandle("~")).run() ? 0 : 1;
   }
   catch (const std::exception& error)
   {

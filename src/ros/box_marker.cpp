@@ -2,10 +2,10 @@
 #include "pkm_workspace/ros/box_marker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "handles.h"
-#include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -25,9 +25,6 @@ namespace
 using visualization_msgs::Marker;
 
 constexpr const char* NAME = "box";
-constexpr Color GREEN = { 0.2F, 0.8F, 0.3F, 0.45F };
-constexpr Color YELLOW = { 0.95F, 0.8F, 0.1F, 0.45F };
-constexpr Color RED = { 0.9F, 0.1F, 0.1F, 0.45F };
 constexpr std::int64_t LOOKS = 20000;    ///< boxes for one verdict: what is dragged is not kept waiting
 constexpr double LEAST_SIDE = 1e-3;      ///< of a box that is scaled [L]
 constexpr double GROWTH_SECONDS = 10.0;  ///< a limit for the search at one center
@@ -64,50 +61,24 @@ Box around(const Eigen::Vector3d& center, const Eigen::Vector3d& sides)
   return { center - 0.5 * sides, center + 0.5 * sides };
 }
 
-std::string textOf(const ContainmentResult& result)
-{
-  if (result.verdict == Containment::INSIDE)
-    return "box inside: proved for every point";
-  if (result.verdict == Containment::UNDECIDED)
-    return "box undecided: the border of the set is too near";
-  TextStream text;
-  const Eigen::Vector3d& bad = *result.bad_point;
-  text << "box outside: a bad point is near\n(" << nearly(bad.x(), 4) << ", " << nearly(bad.y(), 4) << ", "
-       << nearly(bad.z(), 4) << ") m";
-  return text.str();
-}
-
 /// The box between two corners of doubles: the same with a center and sides that hold all of it.
-ContainmentResult check(const Machine& machine, const Criterion& criterion, const Box& box)
+ContainmentResult check(const BoxTest& test, const Box& box)
 {
   const Eigen::Vector3d center = box.center();
-  return checkContainment(BoxTest(machine, criterion), *makeBox(2.0 * box.halfWidths()), center, 1.0, LOOKS);
+  return checkContainment(test, *makeBox(2.0 * box.halfWidths()), center, 1.0, LOOKS);
+}
+
+/// Half the sides of a box that the region holds around its center; 0 along an axis across which the region is flat.
+Eigen::Vector3d heldBy(const Region& region)
+{
+  const std::vector<double>& dimensions = region.solid.dimensions;
+  if (region.solid.type == shape_msgs::SolidPrimitive::BOX)
+    return 0.5 * Eigen::Vector3d(dimensions[0], dimensions[1], dimensions[2]);
+  if (dimensions.size() == 1)
+    return Eigen::Vector3d::Constant(dimensions[0] / std::sqrt(3.0));
+  return { dimensions[1] / std::sqrt(2.0), dimensions[1] / std::sqrt(2.0), 0.5 * dimensions[0] };
 }
 }  // namespace
-
-visualization_msgs::MarkerArray boxMarkers(const Box& box, const ContainmentResult& result, const Machine& machine,
-                                           const std::string& frame)
-{
-  std_msgs::Header header;
-  header.frame_id = frame;
-  Scene scene(header, machine.scale() / 1000.0);
-  const Color color = result.verdict == Containment::INSIDE    ? GREEN
-                      : result.verdict == Containment::OUTSIDE ? RED
-                                                               : YELLOW;
-  Marker& cube = scene.add("box", Marker::CUBE, color);
-  cube.pose.position = toMessage(box.center());
-  cube.scale.x = box.width(0);
-  cube.scale.y = box.width(1);
-  cube.scale.z = box.width(2);
-  if (result.bad_point)
-  {
-    Marker& ball = scene.add("bad_point", Marker::SPHERE, { RED.r, RED.g, RED.b, 1.0F });
-    ball.pose.position = toMessage(*result.bad_point);
-    ball.scale.x = ball.scale.y = ball.scale.z = 30.0 * scene.unit();
-  }
-  scene.addText("verdict", faceCenter(box, { 2, 1 }) + 150.0 * scene.unit() * Eigen::Vector3d::UnitZ(), textOf(result));
-  return scene.array();
-}
 
 BoxMarker::BoxMarker(NodeContext& context, interactive_markers::InteractiveMarkerServer& handles)
   : context_(context)
@@ -133,6 +104,31 @@ void BoxMarker::refresh()
   later([this] { set(box_); });
 }
 
+void BoxMarker::placeIn(const Region& region)
+{
+  const double scale = context_.machine().scale();
+  const Eigen::Vector3d room = heldBy(region);
+  Eigen::Vector3d sides;
+  Eigen::Vector3d center = fromMessage(region.center);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool is_flat = room[axis] == 0.0;
+    sides[axis] = std::min(FIRST_SIDE * scale, is_flat ? 0.5 * room.maxCoeff() : 0.5 * room[axis]);
+    if (!is_flat)  // where the tool is not
+      center[axis] += std::clamp(FIRST_PLACE[axis] * scale, -0.7 * room[axis], 0.7 * room[axis]);
+  }
+  later([this, center, sides] {
+    if (!is_led_)
+      set(around(center, sides));
+  });
+}
+
+Eigen::Vector3d BoxMarker::lowestPoint() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return faceCenter(box_, { 2, 0 }) - 1.6 * BALL * context_.machine().scale() * Eigen::Vector3d::UnitZ();
+}
+
 void BoxMarker::later(const std::function<void()>& job)
 {
   dragger_.post([this, job] { guarded(context_.health, NAME, job); });
@@ -142,13 +138,19 @@ void BoxMarker::take(const Feedback& feedback)
 {
   using visualization_msgs::InteractiveMarkerFeedback;
   if (feedback->event_type == InteractiveMarkerFeedback::POSE_UPDATE)
-    later([this, feedback] { drag(feedback); });
+    later([this, feedback] {
+      is_led_ = true;
+      drag(feedback);
+    });
   if (feedback->event_type != InteractiveMarkerFeedback::MENU_SELECT)
     return;
   if (feedback->menu_entry_id == MENU_GROW)
     later([this] { grow(); });
   if (feedback->menu_entry_id == MENU_CUBE)
-    later([this] { set(around(box_.center(), Eigen::Vector3d::Constant(box_.maxWidth()))); });
+    later([this] {
+      is_led_ = true;
+      set(around(box_.center(), Eigen::Vector3d::Constant(box_.maxWidth())));
+    });
 }
 
 void BoxMarker::drag(const Feedback& feedback)
@@ -175,6 +177,7 @@ void BoxMarker::drag(const Feedback& feedback)
 
 void BoxMarker::grow()
 {
+  is_led_ = true;
   const StopFlag stop = grower_.makeStopFlag();
   grower_.post([this, stop, before = box_] {
     guarded(context_.health, NAME, [&] {
@@ -201,15 +204,21 @@ void BoxMarker::set(const Box& box)
 {
   // first what refuses a box that makes no sense
   const Criterion criterion = context_.query().criterion;
-  const ContainmentResult result = check(context_.machine(), criterion, box);
-  box_ = box;
+  const PointEvaluator evaluate(context_.machine(), criterion);
+  const ContainmentResult result = check(evaluate.test(), box);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    box_ = box;
+  }
   showBody();
   for (const BoxFace& face : FACES)
     handles_.setPose(nameOf(face), poseAt(handlePlace(face)));
   handles_.applyChanges();
-  auto shown = boxMarkers(box, result, context_.machine(), context_.frames.root().frame);
+  auto shown = boxMarkers(box, result, evaluate, context_.frames.root().frame);
   shown.markers.front().text = describe(context_.frames.root().premises(criterion));
   markers_.publish(shown);
+  if (moved_)
+    moved_();
 }
 
 void BoxMarker::insert(const Handle& handle)

@@ -2,26 +2,69 @@
 #include "pkm_workspace/ros/diagnostics.h"
 
 #include <pkm_workspace/ErrorCode.h>
+#include <ros/console.h>
 
 #include "pkm_workspace/version.h"
 
 namespace pkm_workspace
 {
+namespace
+{
+constexpr double CLOCK_PATIENCE = 3.0;  // [s] until a simulation's clock is missed
+constexpr const char* CHANGED =
+    "robot_description is no longer the one that was read: answers are about the machine of "
+    "this geometry, call ~reload for the other one";
+constexpr const char* NO_CLOCK =
+    "use_sim_time is true and no /clock arrives: stamps are 0, and tf is not up to date; "
+    "start the simulation, or set use_sim_time to false";
+}  // namespace
+
 Diagnostics::Diagnostics(NodeContext& context)
   : context_(context), updater_(context.node, context.private_node, ros::this_node::getName())
 {
   updater_.setHardwareID(context.machine().name() + " " + context.frames.root().geometry_hash);
   updater_.add("geometry", [this](Status& status) { tellGeometry(status); });
   updater_.add("computation", [this](Status& status) { tellComputation(status); });
+  updater_.add("clock", [this](Status& status) { tellClock(status); });
   updater_.add("refusals", [this](Status& status) { tellRefusals(status); });
-  timer_ = context.node.createWallTimer(ros::WallDuration(updater_.getPeriod()),
-                                        [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ = context.node.createWallTimer(ros::WallDuration(updater_.getPeriod()), [this](const ros::WallTimerEvent&) {
+    look();
+    updater_.force_update();
+  });
+}
+
+void Diagnostics::look()
+{
+  const bool was_changed = is_description_changed_;
+  try
+  {
+    is_description_changed_ = context_.urdf_text != loadDescription(context_.private_node, true);
+  }
+  catch (const std::invalid_argument&)  // it is gone, and nothing else has come
+  {}
+  if (is_description_changed_ && !was_changed)
+    ROS_WARN_NAMED("urdf", "%s", CHANGED);
+  const bool was_without_clock = is_without_clock_;
+  is_without_clock_ =
+      ros::Time::isSimTime() && ros::Time::now().isZero() && (ros::WallTime::now() - start_).toSec() > CLOCK_PATIENCE;
+  if (is_without_clock_ && !was_without_clock)
+    ROS_WARN_NAMED("clock", "%s", NO_CLOCK);
+}
+
+void Diagnostics::tellClock(Status& status) const
+{
+  if (is_without_clock_)
+    status.summary(Status::WARN, NO_CLOCK);
+  else
+    status.summary(Status::OK, ros::Time::isSimTime() ? "simulated time" : "wall-clock time");
 }
 
 void Diagnostics::tellGeometry(Status& status) const
 {
   const std::vector<std::string>& warnings = context_.urdf.warnings;
-  if (warnings.empty())
+  if (is_description_changed_)
+    status.summary(Status::WARN, CHANGED);
+  else if (warnings.empty())
     status.summary(Status::OK, "machine loaded");
   else
     status.summaryf(Status::WARN, "machine loaded with %zu warnings about its URDF", warnings.size());

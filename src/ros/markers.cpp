@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "labels.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -99,18 +100,12 @@ void addDisc(const Eigen::Vector3d& center, double radius, Scene& scene)
   addCircle(center, radius, 2, scene);
 }
 
-void addBox(const Region& region, bool below, Scene& scene)
+void addBox(const Region& region, Scene& scene)
 {
   const Eigen::Vector3d center = fromMessage(region.center);
   const Eigen::Vector3d sides = sidesOf(region);
   addFaces(center, sides, scene);
   addEdges(center, sides, scene);
-  std::string text = region.shape + ' ' + digits(sides.x(), roundedDown) + " x " + digits(sides.y(), roundedDown);
-  if (sides.z() > 0.0)
-    text += " x " + digits(sides.z(), roundedDown);
-  text += " m";
-  const double distance = (below ? -80.0 : 100.0) * scene.unit();
-  scene.addText("region", corner(center, sides, below ? 3U : 4U) + distance * Eigen::Vector3d::UnitZ(), text);
 }
 
 /// With circles around both ends.
@@ -124,7 +119,7 @@ void addCylinder(const Eigen::Vector3d& center, double height, double radius, Sc
     addCircle(center + end * height * Eigen::Vector3d::UnitZ(), radius, 2, scene);
 }
 
-void addRound(const Region& region, bool below, Scene& scene)
+void addRound(const Region& region, Scene& scene)
 {
   const Eigen::Vector3d center = fromMessage(region.center);
   const std::vector<double>& dimensions = region.solid.dimensions;
@@ -137,83 +132,69 @@ void addRound(const Region& region, bool below, Scene& scene)
     addCylinder(center, height, radius, scene);
   else
     addDisc(center, radius, scene);
-  std::string text = region.shape + " of radius " + digits(radius, roundedDown) + " m";
-  if (!is_sphere && height > 0.0)
-    text += ", height " + digits(height, roundedDown) + " m";
-  const Eigen::Vector3d place =
-      height > 0.0 ? (below ? -1.0 : 1.0) * (0.5 * height + 100.0 * scene.unit()) * Eigen::Vector3d::UnitZ()
-                   : -(radius + 80.0 * scene.unit()) * Eigen::Vector3d::UnitY();
-  scene.addText("region", center + place, text);
 }
 
-/// Whether the sliders are above the region, so that the struts do not cross what is written below it.
-bool hangsBelowSliders(const Region& region, const Machine& machine)
+/// "cube 0.6439 m", "box 0.2 x 0.2 x 0.1 m", "cylinder 0.1 m high, radius 0.2 m"
+std::string nameOf(const Region& region)
 {
-  double above = 0.0;
-  for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
-  {
-    const RailRange& range = region.joint_ranges[i];
-    above += drivenPoint(machine.leg(static_cast<int>(i)), 0.5 * (range.lower + range.upper)).z() - region.center.z;
-  }
-  return above > 0.0;
+  const std::vector<double>& dimensions = region.solid.dimensions;
+  const auto text = [](double value) { return digits(value, roundedDown); };
+  const bool is_box = region.solid.type == shape_msgs::SolidPrimitive::BOX;
+  if (!is_box && dimensions.size() > 1 && dimensions[0] > 0.0)
+    return region.shape + ' ' + text(dimensions[0]) + " m high, radius " + text(dimensions[1]) + " m";
+  if (!is_box)
+    return region.shape + " of radius " + text(dimensions.back()) + " m";
+  if (region.shape != Region::BOX)
+    return region.shape + ' ' + text(dimensions[0]) + " m";
+  return region.shape + ' ' + text(dimensions[0]) + " x " + text(dimensions[1]) +
+         (dimensions[2] > 0.0 ? " x " + text(dimensions[2]) : "") + " m";
 }
 
-void addRegion(const Region& region, const Premises& premises, const Machine& machine, Scene& scene)
+void addRegion(const Region& region, const LabelPlaces& places, Scene& scene)
 {
-  const bool below = hangsBelowSliders(region, machine);
-  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, below, scene) : addRound(region, below, scene);
-  const Eigen::Vector3d label = fromMessage(scene.array().markers.back().pose.position);
-  const double outwards = label.z() < region.center.z ? -105.0 : 90.0;
-  scene.addCaption(label + outwards * scene.unit() * Eigen::Vector3d::UnitZ(),
-                   captionOf(premises, "accuracy", region.hypotheses.accuracy));
+  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
+  scene.addText("region", places.ofRegion(), nameOf(region));
 }
 
-/// Beyond that end of the range, and of the rail, which is farther from the region; above a rail that lies.
-Eigen::Vector3d labelPlace(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, double unit)
-{
-  const auto distance = [&](double rho) { return (drivenPoint(leg, rho) - center).norm(); };
-  const double outwards = distance(range.lower) > distance(range.upper) ? -1.0 : 1.0;
-  const double reach = std::max(0.5 * (range.upper - range.lower) + 50.0 * unit, 550.0 * unit);
-  const double end = 0.5 * (range.lower + range.upper) + outwards * reach;
-  const double on_rail = std::min(std::max(end, leg.limits.lower()), leg.limits.upper());
-  const Eigen::Vector3d axis = (drivenPoint(leg, on_rail + unit) - drivenPoint(leg, on_rail)).normalized();
-  const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ() - axis.z() * axis;
-  return drivenPoint(leg, on_rail + outwards * 210.0 * unit) + 140.0 * unit * upwards;
-}
-
-void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& center, Scene& scene)
+void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& label, Scene& scene)
 {
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
   bar.points = { toMessage(drivenPoint(leg, range.lower)), toMessage(drivenPoint(leg, range.upper)) };
-  const std::string text = range.joint + "\nstroke <=\n" + digits(range.stroke_upper_bound, roundedUp) + " m";
-  scene.addText("joint_ranges", labelPlace(range, leg, center, scene.unit()), text);
+  scene.addText("joint_ranges", label, range.joint + '\n' + digits(range.stroke_upper_bound, roundedUp) + " m");
+}
+
+double unitOf(const Machine& machine)
+{
+  return machine.scale() / 1000.0;
 }
 }  // namespace
 
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
-                                          const Paving* paving, bool show_boundary)
+                                          const DrawnRails& rails, const Paving* paving, bool show_boundary)
 {
-  Scene scene(region.header, machine.scale() / 1000.0);
+  Scene scene(region.header, unitOf(machine), captionOf(premises, "accuracy", region.hypotheses.accuracy));
+  const LabelPlaces places(region, machine, rails, scene.unit());
   if (region.size > 0.0)
-    addRegion(region, premises, machine, scene);
+    addRegion(region, places, scene);
   if (paving)
     addPaving(paving->tree, "paving_inside", show_boundary ? "paving_boundary" : "", scene);
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
-    addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), fromMessage(region.center), scene);
+    addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), places.ofRail(i), scene);
   return scene.array();
 }
 
 visualization_msgs::MarkerArray markersOf(const Paving& paving, const Premises& premises, const Machine& machine,
-                                          const Workspace& workspace)
+                                          const Workspace& workspace, double ceiling)
 {
-  Scene scene(workspace.header, machine.scale() / 1000.0);
-  addPaving(paving.tree, "inside", "boundary", scene);
-  const Box& whole = paving.tree.bisection().root();
-  const double above = whole.upper.z() + 100.0 * scene.unit();
-  scene.addCaption({ whole.center().x(), whole.center().y(), above },
-                   captionOf(premises, "resolution", workspace.hypotheses.accuracy));
+  Scene scene(workspace.header, unitOf(machine), captionOf(premises, "resolution", workspace.hypotheses.accuracy));
+  addPaving(paving.tree, "inside", "boundary", scene, ceiling);
   return scene.array();
+}
+
+Eigen::Vector3d placeOfHypotheses(const Region& region, const Machine& machine, const DrawnRails& rails)
+{
+  return LabelPlaces(region, machine, rails, unitOf(machine)).ofHypotheses();
 }
 
 visualization_msgs::MarkerArray inRoot(visualization_msgs::MarkerArray array, const FramedMachine& in,

@@ -64,19 +64,33 @@ std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std
 }
 }  // namespace
 
-NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_handle)
+Loaded load(const ros::NodeHandle& private_node)
+{
+  const Parameters parameters = loadParameters(private_node);
+  const std::string text = loadDescription(private_node);
+  Loaded loaded{ parameters, text, readMachine(text, private_node, parameters.urdf), parameters.query };
+  if (const double accuracy = parameters.accuracy; accuracy > 0.0)
+    loaded.query.accuracy = accuracy;
+  else
+    loaded.query.accuracy = defaultAccuracy(loaded.urdf.machine, *loaded.query.shape);
+  choosePsi(loaded.urdf.machine, parameters, loaded.query.criterion);
+  requireAnswerable(loaded.urdf.machine, loaded.query);
+  return loaded;
+}
+
+NodeContext::NodeContext(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_handle,
+                         const Loaded& loaded)
   : node(node_handle)
   , private_node(private_handle)
   , computing(private_handle)
   , deciding(private_handle)
-  , parameters(loadParameters(private_handle))
-  , urdf(loadMachine(private_handle, parameters.urdf))
+  , parameters(loaded.parameters)
+  , urdf_text(loaded.urdf_text)
+  , urdf(loaded.urdf)
   , frames(urdf.machine, frameOf(private_handle, urdf.root_link), framesOf(private_handle, urdf.moved_links))
-  , query_(parameters.query)
+  , panel(private_handle, frames.root().frame, urdf.machine.scale() / 1000.0)
+  , query_(loaded.query)
 {
-  query_.accuracy = parameters.accuracy > 0.0 ? parameters.accuracy : defaultAccuracy(machine(), *query_.shape);
-  choosePsi(machine(), parameters, query_.criterion);
-  requireAnswerable(machine(), query_);
   logMachine(urdf, frames.root().frame);
   computing.setCallbackQueue(&worker.queue());
   deciding.setCallbackQueue(&decider.queue());

@@ -2,6 +2,7 @@
 #include "pkm_workspace/ros/parameters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -198,6 +199,9 @@ Parameters loadParameters(const ros::NodeHandle& private_node)
     readTable(tableOf(parameters, shape), values, problems);
   chooseShape(shape, parameters.shape, parameters.query, problems);
   choosePsi(values, parameters, problems);
+  for (const CriterionBound& bound : CRITERION_BOUNDS)  // as in requests
+    if (double& value = parameters.query.criterion.*bound.value; bound.is_optional && std::isinf(value) && value > 0.0)
+      value = 0.0;
   validateBounds(values, parameters.query.criterion, problems);
   parameters.validate(problems);
   for (auto& problem : problems)
@@ -206,33 +210,4 @@ Parameters loadParameters(const ros::NodeHandle& private_node)
   return parameters;
 }
 
-UrdfMachine loadMachine(const ros::NodeHandle& private_node, const UrdfOptions& options)
-{
-  std::string name;
-  std::string xml;
-  if (!private_node.searchParam("robot_description", name))
-    throw std::invalid_argument("parameter robot_description is not there, searched from " +
-                                private_node.getNamespace() + " upwards: load the machine's URDF into it");
-  if (!private_node.getParam(name, xml))
-    throw std::invalid_argument("parameter " + name + " must be a text, the machine's URDF");
-  try
-  {
-    return readUrdf(xml, options);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::invalid_argument("parameter " + name + ": " + error.what());
-  }
-}
-
-std::string frameOf(const ros::NodeHandle& private_node, const std::string& link)
-{
-  std::string name;
-  std::string prefix;
-  if (private_node.searchParam("tf_prefix", name))
-    private_node.getParam(name, prefix);
-  const auto first = prefix.find_first_not_of('/');
-  const auto last = prefix.find_last_not_of('/');
-  return first == std::string::npos ? link : prefix.substr(first, last - first + 1) + "/" + link;
-}
 }  // namespace pkm_workspace

@@ -9,8 +9,9 @@
 
 namespace pkm_workspace
 {
-PavingService::PavingService(NodeContext& context)
+PavingService::PavingService(NodeContext& context, SetBelow& below)
   : context_(context)
+  , below_(below)
   , workspace_(context.private_node.advertise<Workspace>("workspace", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("workspace_markers", 1, true))
   , service_(offer<ComputeWorkspace>(
@@ -65,7 +66,7 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   context_.health.noteComputation(
       { describe(question.query), workspace.message + ' ' + effort, paving.seconds, !paving.complete });
   if (!*stop)  // whoever asked has the answer by then
-    context_.worker.post([this, in = question.in, workspace, report] { show(in, workspace, report->paving); });
+    context_.worker.post([this, in = question.in, workspace, report] { show(in, workspace, report); });
   return workspace;
 }
 
@@ -80,11 +81,16 @@ PavingReport PavingService::goOn(const PavingQuestion& question) const
   return reportPaving(*question.in.machine, question.query, last && differences.empty() ? &last->paving : nullptr);
 }
 
-void PavingService::show(const FramedMachine& in, Workspace workspace, const Paving& paving)
+void PavingService::show(const FramedMachine& in, Workspace workspace,
+                         const std::shared_ptr<const PavingReport>& report)
 {
+  const Paving& paving = report->paving;
   workspace.inside = workspace.boundary = BoxList();
   workspace_.publish(workspace);
   const Premises premises = in.premises(paving.premises.criterion);
-  markers_.publish(inRoot(markersOf(paving, premises, *in.machine, workspace), in, context_.frames.root().frame));
+  const auto shown = markersOf(paving, premises, *in.machine, workspace);
+  markers_.publish(inRoot(shown, in, context_.frames.root().frame));
+  below_.show(in, workspace, report);
+  context_.panel.tell("set", shown.markers.front().text);
 }
 }  // namespace pkm_workspace

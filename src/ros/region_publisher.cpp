@@ -20,9 +20,10 @@ constexpr double SECONDS = 5.0;          // a picture is not worth more
 constexpr std::int64_t BOXES = 2000000;  // nor can rviz draw much more
 }  // namespace
 
-RegionPublisher::RegionPublisher(NodeContext& context, Tool* tool)
+RegionPublisher::RegionPublisher(NodeContext& context, Tool* tool, Interaction& interaction)
   : context_(context)
   , tool_(tool)
+  , interaction_(interaction)
   , region_(context.private_node.advertise<Region>("region", 1, true))
   , joint_ranges_(context.private_node.advertise<JointRanges>("joint_ranges", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
@@ -34,6 +35,8 @@ void RegionPublisher::publish(const RegionQuestion& question, const Region& regi
   joint_ranges_.publish(jointRangesOf(region));
   if (tool_ && !tool_->isLed() && region.size > 0.0)
     moveMachine(question, region);
+  if (region.size > 0.0 && question.in.frame == context_.frames.root().frame)
+    interaction_.placeBox(region);
 }
 
 void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& region)
@@ -47,8 +50,12 @@ void RegionPublisher::publishMarkers(const RegionQuestion& question, const Regio
 {
   const Paving* paving = pavingFor(question, region, stop);
   const Premises premises = question.in.premises(question.query.criterion);
-  const auto shown = markersOf(region, premises, *question.in.machine, paving, context_.parameters.show_boundary);
+  const Machine& machine = *question.in.machine;
+  const DrawnRails& rails = context_.urdf.drawn_rails;
+  const auto shown = markersOf(region, premises, machine, rails, paving, context_.parameters.show_boundary);
   markers_.publish(inRoot(shown, question.in, context_.frames.root().frame));
+  context_.panel.moveTo(question.in.toRoot() * placeOfHypotheses(region, machine, rails));
+  context_.panel.tell("region", shown.markers.front().text);
 }
 
 /// Across parallel rails the plane of the region's center.
@@ -89,6 +96,8 @@ const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const R
   try
   {
     PavingQuery wanted = pavingQuery(question, region);
+    if ((wanted.box->lower.array() > wanted.box->upper.array()).any())
+      return nullptr;  // no point satisfies the criterion
     Problems differences;
     if (paving_)
       validateEarlier(*question.in.machine, wanted, *paving_, differences);

@@ -16,10 +16,10 @@ namespace
 constexpr double BURST = 0.05;
 }  // namespace
 
-RegionService::RegionService(NodeContext& context, Tool* tool)
+RegionService::RegionService(NodeContext& context, Tool* tool, Interaction& interaction)
   : context_(context)
   , pictures_(context.painter.makeStopFlag())
-  , publisher_(context, tool)
+  , publisher_(context, tool, interaction)
   , action_(context, "find_largest_region",
             [this](const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell, Action::Result& result) {
               find(goal, stop, tell, result);
@@ -108,8 +108,13 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
   context_.health.noteComputation({ describe(question.query), summary(answer), answer.region.seconds, stopped });
 
   const auto region = std::make_shared<const Region>(toMessage(answer, ros::Time::now()));
-  if (*stop)
-    return region;
+  if (!*stop)
+    keep(question, region);
+  return region;
+}
+
+void RegionService::keep(RegionQuestion question, const RegionConstPtr& region)
+{
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     last_region_ = region;
@@ -117,7 +122,14 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
   question.query.budget.stop = nullptr;
   question.query.progress = nullptr;
   context_.worker.post([this, question, region] { show(question, region); });  // whoever asked has the answer by then
-  return region;
+}
+
+void RegionService::adopt(const LargestRegion& region)
+{
+  const Answer answer{ { context_.query(), context_.frames.root() }, region };
+  context_.health.noteComputation({ describe(answer.question.query), summary(answer), region.seconds,
+                                    region.status == LargestRegion::Status::STOPPED });
+  keep(answer.question, std::make_shared<const Region>(toMessage(answer, ros::Time::now())));
 }
 
 void RegionService::show(const RegionQuestion& question, const RegionConstPtr& region)

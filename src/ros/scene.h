@@ -5,6 +5,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -25,15 +26,14 @@ class Scene
 {
 public:
   /// Begins with a marker that clears what was there before. @param unit a thousandth of the machine's size [m]
-  Scene(const std_msgs::Header& header, double unit);
+  /// @param holds_for its text: what the picture holds for
+  Scene(const std_msgs::Header& header, double unit, const std::string& holds_for = "");
 
   /// What widths of lines and letters are multiples of [m].
   double unit() const { return unit_; }
   visualization_msgs::Marker& add(const std::string& ns, int type, const Color& color);
-  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text);
-
-  /// Adds what the picture holds for: in small letters, and with the marker that clears.
-  void addCaption(const Eigen::Vector3d& place, const std::string& text);
+  /// @param size of the letters, 1 for a label
+  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text, double size = 1.0);
 
   const visualization_msgs::MarkerArray& array() const { return array_; }
 
@@ -43,11 +43,14 @@ private:
   visualization_msgs::MarkerArray array_;
 };
 
-/// Adds the boxes of a paving, as coarsely as it takes for about 20000 of them: more than that rviz does not draw
-/// smoothly. One list for each size, because a list has one scale.
+/// Adds the surface of a paving's boxes, as coarsely as it takes for about 20000 boxes: a list of triangles for what is
+/// inside, one for what is undecided.
 /// @param inside, undecided namespaces; empty: these boxes are left out
-void addPaving(const BoxTree& tree, const std::string& inside, const std::string& undecided, Scene& scene);
+/// @param ceiling boxes that reach above it are left out [m]; flat ones that do not change along z are lowered to it
+void addPaving(const BoxTree& tree, const std::string& inside, const std::string& undecided, Scene& scene,
+               double ceiling = std::numeric_limits<double>::infinity());
 
-/// A few digits of a bound, rounded to the side on which it holds, without zeros at the end.
+/// A bound as people write it, 0.3: exactly where that is short, else in a few digits, rounded to the side on which it
+/// holds.
 std::string digits(double value, std::string (*rounded)(double, int));
 }  // namespace pkm_workspace

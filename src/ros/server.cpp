@@ -6,12 +6,14 @@
 
 namespace pkm_workspace
 {
-Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-  : context_(node, private_node)
+Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const Loaded& loaded,
+               const std::optional<LargestRegion>& region)
+  : context_(node, private_node, loaded)
   , tool_(context_.parameters.publish_joint_states ? std::make_unique<Tool>(context_) : nullptr)
   , interaction_(context_, tool_.get())
-  , regions_(context_, tool_.get())
-  , pavings_(context_)
+  , below_(context_, interaction_)
+  , regions_(context_, tool_.get(), interaction_)
+  , pavings_(context_, below_)
   , singularities_(context_)
   , conditioning_(context_)
   , comparisons_(context_)
@@ -22,7 +24,12 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
                  regions_.computeOwn();
                })
   , diagnostics_(context_)
-{}
+{
+  if (region)
+    regions_.adopt(*region);
+  else
+    regions_.computeOwn();
+}
 
 Server::~Server()
 {
@@ -31,10 +38,9 @@ Server::~Server()
 
 bool Server::run()
 {
-  regions_.computeOwn();
   context_.start();
   // ros::ok() turns false only after the services have ended, which wait for the computation that is to be stopped here
-  while (!ros::isShuttingDown())
+  while (!ros::isShuttingDown() && !ended_)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
   context_.stop();
   return !regions_.hasFailed();

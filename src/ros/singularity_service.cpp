@@ -67,7 +67,7 @@ SingularityFinding findingOf(const SingularityAnswer& answer)
 visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& found, const Premises& premises,
                                           const Machine& machine)
 {
-  Scene scene(found.header, machine.scale() / 1000.0);
+  Scene scene(found.header, machine.scale() / 1000.0, found.message + '\n' + captionOf(premises, "", 0.0));
   const auto add = [&scene](const SingularityFinding& finding, const std::string& text) {
     if (finding.status != SingularityFinding::PROVED)
       return;
@@ -80,11 +80,6 @@ visualization_msgs::MarkerArray markersOf(const FindSingularities::Response& fou
   for (int i = 0; i < 3; ++i)
     add(found.serial[static_cast<std::size_t>(i)], "serial singularity: " + machine.leg(i).joint);
   add(found.parallel, "parallel singularity");
-  Eigen::Vector3d highest = fromMessage(scene.array().markers.back().pose.position);
-  for (const Marker& marker : scene.array().markers)
-    highest.z() = std::max(highest.z(), marker.pose.position.z);
-  scene.addCaption(highest + 90.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
-                   found.message + '\n' + captionOf(premises, "", 0.0));
   return scene.array();
 }
 }  // namespace
@@ -155,5 +150,6 @@ void SingularityService::find(const FindSingularities::Request& request, FindSin
   ROS_INFO_STREAM_NAMED("server", response.message << " " << response.seconds << " s");
   context_.health.noteComputation({ asked, response.message, response.seconds, !report.isDecided() });
   markers_.publish(inRoot(markersOf(response, premises, *in.machine), in, context_.frames.root().frame));
+  context_.panel.tell("singularities", captionOf(premises, "", 0.0));
 }
 }  // namespace pkm_workspace

@@ -124,5 +124,12 @@ void ToolMarker::show()
   auto shown = toolMarkers(context_.machine(), criterion, tool_.state(), context_.frames.root().frame);
   shown.markers.front().text = describe(context_.frames.root().premises(criterion));
   markers_.publish(shown);
+  if (moved_)
+    moved_();
+}
+
+Eigen::Vector3d ToolMarker::lowestPoint() const
+{
+  return tool_.state().point - 0.5 * TOOL_GRIP * context_.machine().scale() * Eigen::Vector3d::UnitZ();
 }
 }  // namespace pkm_workspace

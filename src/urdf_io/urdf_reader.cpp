@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "closure.h"
+#include "drawn_rails.h"
 #include "number_text.h"
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/machine/assembly.h"
@@ -198,12 +199,15 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   const Rails rails = findRails(model, options.rails);
   const Closure closure = closeLegs(model, rails, options);
   const ClosedLegs& legs = closure.legs;
-  UrdfMachine urdf{ makeMachine(model, rails, closure), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {} };
+  UrdfMachine urdf{
+    makeMachine(model, rails, closure), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {}, {}
+  };
   for (std::size_t i = 0; i < 3; ++i)
   {
     urdf.slider_links[i] = rails[i].joint->child_link_name;
     urdf.tcp_links[i] = legs[i].tcp.link;
     urdf.hinges[i] = hingesOf(rails[i], legs[i]);
+    urdf.drawn_rails[i] = drawnAlong(model, urdf.machine.leg(static_cast<int>(i)));
   }
   urdf.followers = followersIn(model, rails, legs);
   urdf.tool_point = toolPointOf(closure, options);

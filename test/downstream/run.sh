@@ -14,7 +14,8 @@ mkdir -p "$work"
 DESTDIR=$work/root cmake --install "$build" >"$work/install.log"
 for file in lib/libpkm_workspace.so include/pkm_workspace/region/largest_region.h share/pkm_workspace/package.xml \
   share/pkm_workspace/urdf/orthoglide.urdf share/pkm_workspace/launch/orthoglide.launch \
-  share/pkm_workspace/rviz/pkm_workspace.rviz lib/pkm_workspace/pkm lib/pkm_workspace/pkm_workspace_node; do
+  share/pkm_workspace/rviz/pkm_workspace.rviz lib/pkm_workspace/open_rviz \
+  lib/pkm_workspace/pkm lib/pkm_workspace/pkm_workspace_node; do
   [ -e "$prefix/$file" ] || { echo "not installed: $file" >&2; exit 1; }
 done
 

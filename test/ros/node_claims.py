@@ -13,6 +13,8 @@ from reasons import N, hold
 QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularities of|global conditioning index of|"
             r"comparison by the largest) .*)")
 REMARK = r"(?: (?P<remark>Joint limits are off: .*))?"
+SIDES = r"(?P<x>\S+) x (?P<y>\S+) x (?P<z>\S+) m\n"
+BINDS = r"(?P<kind>reach|joint_lower|joint_upper|aspect|psi_min|psi_max)(?: of (?P<joint>\w+))?"
 EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
               "path inside", "path leaves", "singularities")
@@ -41,13 +43,14 @@ CLAIMS = {
     "wide told": (r"the bounds are wider than asked: .*", None),
     "other": (r"(?!.*prove).*", None),  # of the URDF, and of the boxes in a picture
     # markers
-    "label": (rf"(?P<shape>\w+) (?:of radius {N} m(?:, height {N} m)?|{N} x {N}(?: x {N})? m)", markers.label),
-    "stroke": (rf"(?P<joint>\w+)\nstroke <=\n{N} m", markers.stroke),
+    "label": (rf"(?P<shape>\w+) (?:{N} m high, radius {N} m|of radius {N} m|{N}(?: x {N}(?: x {N})?)? m)",
+              markers.label),
+    "stroke": (rf"(?P<joint>\w+)\n{N} m", markers.stroke),
     "caption": (r"(?:(?P<sentence>.*)\n)?\w+, geometry \w{8}, pkm_workspace \S+\n(?:dextrous|reachable).*",
                 markers.caption),
-    "box inside": ("box inside: proved for every point", markers.box_inside),
-    "box outside": (r"box outside: a bad point is near\n(?P<place>\(.*\)) m", markers.box_outside),
-    "box undecided": ("box undecided: the border of the set is too near", None),
+    "box inside": (rf"{SIDES}box inside: proved for every point\nnearest limit: {BINDS}", markers.box_inside),
+    "box outside": (rf"{SIDES}box outside: a bad point is near\nwhich breaks {BINDS}", markers.box_outside),
+    "box undecided": (rf"{SIDES}box undecided: the border of the set is too near\nnearest limit: {BINDS}", None),
     "kind": (r"serial singularity: (?P<joint>\w+)|parallel singularity", markers.singularity),
     "tool": (r"(?P<reason>(?:the|joint|det) .*?)", markers.tool),
     "tool elsewhere": (r"tool point \(.*\) m: .*|at or beyond a parallel singularity.*|"

@@ -76,7 +76,9 @@ class Picture:
         self.pixels = pixels
         background = near(BACKGROUND, 0)(*self.channels(pixels))
         columns = longest_run(background.mean(0) > 0.05)
-        self.view = pixels[longest_run(background[:, columns].mean(1) > 0.05), columns]
+        rows = longest_run(background[:, columns].mean(1) > 0.05)
+        self.view = pixels[rows, columns]
+        self.corner = numpy.array([rows.start, columns.start])  # of the view
         self.list = pixels[:, :columns.start]
 
     @staticmethod
@@ -109,6 +111,11 @@ class Picture:
             return 0.0
         size = numpy.array(self.view.shape[:2])
         return 100.0 * min(*places.min(0), *(size - 1 - places.max(0))) / size[0]
+
+    def middle(self, name):
+        """Of what has this colour: row and column on the screen."""
+        places = numpy.argwhere(self.mask(name))
+        return self.corner + numpy.median(places, 0).astype(int)
 
     def height(self):
         """Of what is drawn [percent of the view's height]."""
@@ -152,6 +159,10 @@ class Screen:
         self.server.terminate()
         self.server.wait(PATIENCE)
         self.folder.cleanup()
+
+    def click(self, row, column):
+        subprocess.run(["xdotool", "mousemove", str(column), str(row), "sleep", "0.3", "mousemove_relative", "1", "0",
+                        "sleep", "0.3", "click", "1"], env=self.environment, check=True)
 
     def picture(self):
         data = (pathlib.Path(self.folder.name) / "Xvfb_screen0").read_bytes()

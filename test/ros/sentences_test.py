@@ -26,10 +26,22 @@ from oracle import Machine
 from pkm import run
 from questions import SEED, Questions
 from reasons import Wrong
+from visualization_msgs.msg import Marker
 from wrong_answers import WRONG
 
 CASES = int(os.environ.get("PKM_WORKSPACE_TEST_CASES", 1))
 LINE = re.compile(r"(?:INFO|WARN) ros\.pkm_workspace\.(\w+): (.*)", re.S)
+
+
+def texts_of(markers):
+    """Lines of small letters are markers of their own, one after the other."""
+    texts = []
+    for before, marker in zip([None, *markers], markers):
+        if before and before.type == marker.type == Marker.TEXT_VIEW_FACING and before.ns == marker.ns:
+            texts[-1] += "\n" + marker.text
+        elif marker.text:
+            texts.append(marker.text)
+    return set(texts)
 
 
 class SentencesTest(Questions, unittest.TestCase):
@@ -73,7 +85,7 @@ class SentencesTest(Questions, unittest.TestCase):
         self.texts(node, topic, markers, hypotheses, **more)
 
     def texts(self, node, topic, markers, hypotheses, **more):
-        for text in {marker.text for marker in markers if marker.text}:
+        for text in texts_of(markers):
             self.held(node, topic, text, markers=markers, hypotheses=hypotheses, definition=definition_of(hypotheses),
                       **more)
 

@@ -136,6 +136,39 @@ class StartupTest(unittest.TestCase):
         gaps = sorted(after - before for before, after in zip(stamps, stamps[1:]))
         self.assertLess(gaps[len(gaps) // 2], 0.5, gaps)  # the median: by itself it is 1 s
 
+    def status(self, name, text):
+        """Waits until /diagnostics say so."""
+        found = threading.Event()
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, lambda message: [
+            found.set() for row in message.status if row.name.endswith(name) and text in row.message])
+        self.addCleanup(subscriber.unregister)
+        self.assertTrue(found.wait(PATIENCE), text)
+
+    def test_says_that_robot_description_has_changed(self):
+        with NodeProcess(urdf("orthoglide"), {"diagnostic_period": 0.05}) as node:
+            node.wait_for_output("Proved")
+            rospy.set_param("/robot_description", urdf("uranesx"))
+            node.wait_for_output("robot_description is no longer the one that was read")
+            self.status("geometry", "robot_description is no longer the one that was read")
+            rospy.set_param("/robot_description", urdf("orthoglide"))
+            self.status("geometry", "machine loaded")
+
+    def test_says_that_no_clock_arrives(self):
+        rospy.set_param("/use_sim_time", True)
+        try:
+            with NodeProcess(urdf("orthoglide")) as node:
+                node.wait_for_output("no /clock arrives")
+                self.status("clock", "no /clock arrives")
+        finally:
+            rospy.delete_param("/use_sim_time")
+
+    def test_takes_infinity_for_no_bound_as_requests_do(self):
+        with NodeProcess(urdf("orthoglide"), {"kappa_max": float("inf"), "force_max": float("inf")}) as node:
+            node.wait_for_output("computing: largest cube, dextrous with psi in [0.5, 2], own aspect")
+        self.expect_refusals([(urdf("orthoglide"), {"psi_max": float("inf")}, r"psi_max = inf"),
+                              (urdf("orthoglide"), {"accuracy": 1e300}, r"accuracy = 1e\+300 "),
+                              (urdf("orthoglide"), {"accuracy": 1e-300}, r"accuracy = 1e-300 ")])
+
     def test_names_all_that_is_wrong_at_once(self):
         parameters = {"shape": "blob", "accuracy": -1.0, "typo": True}
         with NodeProcess(urdf("orthoglide"), parameters) as node:

@@ -55,7 +55,21 @@ TEST(Topics, latchMarkersOfTheRegion)
     EXPECT_EQ("base_link", marker->header.frame_id);
     namespaces.insert(marker->ns);
   }
-  EXPECT_EQ((std::set<std::string>{ "region", "paving_inside", "joint_ranges", "hypotheses" }), namespaces);
+  EXPECT_EQ((std::set<std::string>{ "region", "paving_inside", "joint_ranges" }), namespaces);
+}
+
+TEST(Topics, tellInOnePanelWhatThePicturesHoldFor)
+{
+  const Region region = compute(RegionRequest()).region;
+  const auto text = [] {
+    return receive<visualization_msgs::MarkerArray>(NODE + "/hypotheses_markers")->markers[1].text;
+  };
+  const ros::Time deadline = ros::Time::now() + PATIENCE;
+  std::string panel = text();
+  while (panel.find("region: dextrous with psi in [0.5, 2]") == std::string::npos && ros::Time::now() < deadline)
+    panel = text();
+  EXPECT_EQ(0U, panel.find(region.hypotheses.machine + ", geometry " + region.hypotheses.geometry_hash.substr(0, 8)));
+  EXPECT_NE(std::string::npos, panel.find("region: dextrous with psi in [0.5, 2]")) << panel;
 }
 
 TEST(Topics, showTheMachineAtTheCenterOfTheRegion)

@@ -3,12 +3,12 @@
 """The launch files open rviz on what they promise: looked at on a screen in memory, by colours and counts."""
 
 import pathlib
+import subprocess
+import tempfile
 import unittest
 
-import rospkg
 import rospy
 import rostest
-import yaml
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from pkm_workspace.client import Client
 from rendering import Launch
@@ -16,6 +16,8 @@ from std_msgs.msg import Header
 from visualization_msgs.msg import InteractiveMarkerFeedback, Marker, MarkerArray
 
 NODE = "/pkm_workspace_node"
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
+PKM = ["rosrun", "pkm_workspace", "pkm"]
 OK, WARNING, ERROR = (40, 120, 197), (192, 128, 0), (192, 32, 32)  # names of displays in their list
 
 
@@ -81,33 +83,58 @@ class ViewsTest(unittest.TestCase):
                               **percent("joint ranges", 0.1, 0.35)})
             Client(NODE).largest_region(shape="cube", header=Header(frame_id="world"))
             self.see(screen, {**WELL, **LABELS, **lean, **percent("table", 3, 15),
-                              **percent("region's edges", 0.08, 0.5), **percent("joint ranges", 0.4, 1.5)})
+                              **percent("region's edges", 0.05, 0.5), **percent("joint ranges", 0.3, 1.5)})
 
     def test_tool_and_box_of_the_prototype(self):
         good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
         with Launch("prototype", view="interactive") as screen:
             self.see(screen, {**WELL, **HANDLES, **good, **percent("green box", 0.2, 1), **percent("red box", 0, 0.4),
-                              **percent("labels", 0.02, 0.1)})
+                              **percent("labels", 0.02, 0.3)})
             self.publish("interactive_markers/feedback", InteractiveMarkerFeedback, marker_name="box",
                          event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=pose_at(0.2, 0.1, 0.15))
             self.see(screen, {**good, **percent("green box", 0, 0.1), **percent("red box", 0.4, 2)})
             self.publish("tool_pose", PoseStamped, pose=pose_at(0.12, 0.12, 0.15))
-            self.see(screen, {**percent("green", 0, 0.35), **percent("red", 1.5, 6), **percent("labels", 0.1, 0.5)})
+            self.see(screen, {**percent("green", 0, 0.35), **percent("red", 1.5, 6), **percent("labels", 0.1, 0.7)})
+
+    def test_the_box_starts_within_the_region_and_the_set_leaves_it_to_the_mouse(self):
+        grabbed = []
+        feedback = rospy.Subscriber(f"{NODE}/interactive_markers/feedback", InteractiveMarkerFeedback,
+                                    lambda event: grabbed.append((event.event_type, event.marker_name)))
+        self.addCleanup(feedback.unregister)
+        with Launch("prototype", view="interactive") as screen:
+            seen = {**percent("green box", 0.2, 1), **percent("red box", 0, 0.4)}
+            self.see(screen, {**WELL, **seen})
+            Client(NODE).workspace(resolution=0.025)
+            rospy.wait_for_message(f"{NODE}/set_markers", MarkerArray, 60.0)
+            picture = self.see(screen, {**seen, **percent("border of the set", 0.5, 20)})
+            row, column = picture.middle("green box")
+            for down, right in ((0, 0), (-12, 0), (12, 5), (5, -12)):
+                grabbed.clear()
+                deadline = rospy.Time.now() + rospy.Duration(30.0)
+                while (InteractiveMarkerFeedback.MOUSE_DOWN, "box") not in grabbed and rospy.Time.now() < deadline:
+                    screen.click(row + down, column + right)
+                self.assertIn((InteractiveMarkerFeedback.MOUSE_DOWN, "box"), grabbed, (down, right))
 
     def test_handles_of_the_uranesx(self):
         with Launch("uranesx", view="interactive") as screen:
             self.see(screen, {**WELL, **HANDLES})
 
-    def test_views_of_small_machines_differ_by_lengths_only(self):
-        folder = pathlib.Path(rospkg.RosPack().get_path("pkm_workspace")) / "rviz"
-        for path in folder.glob("*_small.rviz"):
-            small, large = (yaml.safe_load(p.read_text())["Visualization Manager"]
-                            for p in (path, folder / path.name.replace("_small", "")))
-            for manager in (small, large):
-                del manager["Displays"][0]["Cell Size"]
-                del manager["Views"]["Current"]["Distance"]
-                del manager["Views"]["Current"]["Focal Point"]
-            self.assertEqual(small, large, path.name)
+    def test_a_machine_mounted_above_a_root_of_its_own(self):
+        with Launch("machine", urdf=DATA / "delta_cnc.urdf") as screen:
+            self.see(screen, WELL)
+
+    def test_machines_of_any_size_whatever_their_root_is_called(self):
+        """The same but for their scale: what is seen of them is the same."""
+        heights = []
+        for length in ("0.1", "10"):
+            urdf = subprocess.run([*PKM, "urdf", "--machine", "uranesx", "--length", length], check=True, text=True,
+                                  capture_output=True).stdout
+            with tempfile.NamedTemporaryFile("w", suffix=".urdf") as file:
+                file.write(urdf.replace("base_link", "foot"))
+                file.flush()
+                with Launch("machine", urdf=file.name, shape="square") as screen:
+                    heights.append(self.see(screen, {**WELL, **LABELS}).height())
+        self.assertAlmostEqual(heights[0], heights[1], delta=3.0)
 
 
 if __name__ == "__main__":

@@ -133,10 +133,10 @@ WRONG = {
     "region told": (said(times("of a size above ", 0.7)), said(times(r"at \(", 9)), said(times("dimensions ", 1.5))),
     "set told": (MEASURE, ),
     "label": (said(times(r"\w+ (?:of radius )?", 1.2)), ),
-    "stroke": (said(times("stroke <=\n", 0.5)), ),
+    "stroke": (said(times(r"^\w+\n", 0.5)), ),
     "caption": (said(instead("own aspect|both aspects", "other aspect")), ),
-    "box inside": (many_times, ),
-    "box outside": (elsewhere, said(times(r"\(", 2))),
+    "box inside": (many_times, said(times("^", 2))),
+    "box outside": (elsewhere, said(times("^", 2))),
     "kind": (elsewhere, ),
     "tool": (said(times(r"(?:of|reaches|is) ", 1.5)), ),
 }

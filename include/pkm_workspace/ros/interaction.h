@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "pkm_workspace/ros/box_marker.h"
 #include "pkm_workspace/ros/tool_marker.h"
@@ -26,6 +28,25 @@ public:
     box_marker_.refresh();
     if (tool_)
       tool_->refresh();
+  }
+
+  /// Puts the box into a region in the frame of the root link, unless somebody has led it.
+  void placeBox(const Region& region) { box_marker_.placeIn(region); }
+
+  /// @param moved called after each move, by any thread
+  void onMove(const std::function<void()>& moved)
+  {
+    box_marker_.onMove(moved);
+    if (tool_marker_)
+      tool_marker_->onMove(moved);
+  }
+  /// Of all that can be dragged, in the frame of the root link, whose z is meant by low [m]. Thread-safe.
+  std::vector<Eigen::Vector3d> lowestPoints() const
+  {
+    std::vector<Eigen::Vector3d> points = { box_marker_.lowestPoint() };
+    if (tool_marker_)
+      points.push_back(tool_marker_->lowestPoint());
+    return points;
   }
 
 private:

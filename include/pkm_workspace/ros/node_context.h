@@ -10,6 +10,7 @@
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/health.h"
+#include "pkm_workspace/ros/hypotheses_panel.h"
 #include "pkm_workspace/ros/parameters.h"
 #include "pkm_workspace/ros/worker.h"
 
@@ -17,6 +18,20 @@ namespace pkm_workspace
 {
 /// What can be done about a region of the node's own without a bounded answer.
 const Remedy NODE_REMEDY{ "joint_limits", "a ~search_box" };
+
+/// What the node is about: its parameters and its machine, which can be answered for.
+struct Loaded
+{
+  Parameters parameters;
+  std::string urdf_text;  ///< as robot_description had it
+  UrdfMachine urdf;
+  RegionQuery query;  ///< of the node's own region
+};
+
+/// Reads and validates all of it.
+/// @throws std::invalid_argument for bad parameters or a bad URDF, std::runtime_error where arithmetic cannot be
+/// trusted
+Loaded load(const ros::NodeHandle& private_node);
 
 /// What all parts of the node share.
 ///
@@ -26,10 +41,7 @@ const Remedy NODE_REMEDY{ "joint_limits", "a ~search_box" };
 class NodeContext
 {
 public:
-  /// Reads and validates everything.
-  /// @throws std::invalid_argument for bad parameters or a bad URDF, std::runtime_error where arithmetic cannot be
-  /// trusted
-  NodeContext(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  NodeContext(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const Loaded& loaded);
 
 private:
   std::list<Worker> workers_;
@@ -40,8 +52,10 @@ public:
   ros::NodeHandle computing;  ///< the private one for services of the worker
   ros::NodeHandle deciding;   ///< and for those of the decider
   const Parameters parameters;
+  const std::string urdf_text;  ///< as robot_description had it
   const UrdfMachine urdf;
   const Frames frames;
+  HypothesesPanel panel;
   Health health;
   Worker& worker = addWorker();
   Worker& decider = addWorker();

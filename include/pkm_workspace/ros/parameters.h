@@ -74,9 +74,12 @@ struct Parameters
 /// @throws std::invalid_argument naming every one that is unknown, of another type or out of range
 Parameters loadParameters(const ros::NodeHandle& private_node);
 
-/// Reads the machine from the parameter robot_description, searched from the private namespace upwards.
-/// @throws std::invalid_argument when there is none, or when it is refused
-UrdfMachine loadMachine(const ros::NodeHandle& private_node, const UrdfOptions& options);
+/// The parameter robot_description, searched from the private namespace upwards: the URDF of the machine.
+/// @param as_told by the master the last time, shortly after each change: cheap, for whoever asks again and again
+/// @throws std::invalid_argument when there is none
+std::string loadDescription(const ros::NodeHandle& private_node, bool as_told = false);
+/// Reads it. @throws std::invalid_argument when it is refused
+UrdfMachine readMachine(const std::string& xml, const ros::NodeHandle& private_node, const UrdfOptions& options);
 
 /// @return the name of the link in tf, with the tf_prefix that is found from the private namespace upwards
 std::string frameOf(const ros::NodeHandle& private_node, const std::string& link);

@@ -10,6 +10,7 @@
 #include "pkm_workspace/ros/goal_server.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_message.h"
+#include "pkm_workspace/ros/set_below.h"
 
 namespace pkm_workspace
 {
@@ -18,7 +19,8 @@ class PavingService
 {
 public:
   /// Advertises. @param context has to outlive this object, its threads have to end before
-  explicit PavingService(NodeContext& context);
+  /// @param below shows what the handles leave free
+  PavingService(NodeContext& context, SetBelow& below);
 
 private:
   using Action = GoalServer<ApproximateWorkspaceAction>;
@@ -28,9 +30,10 @@ private:
   Workspace compute(PavingQuestion question, const StopFlag& stop);
   /// Paves, or goes on from the last paving where that is about the same.
   PavingReport goOn(const PavingQuestion& question) const;
-  void show(const FramedMachine& in, Workspace workspace, const Paving& paving);
+  void show(const FramedMachine& in, Workspace workspace, const std::shared_ptr<const PavingReport>& report);
 
   NodeContext& context_;
+  SetBelow& below_;
   mutable std::mutex mutex_;
   std::shared_ptr<const PavingReport> last_;  ///< of service or action
   ros::Publisher workspace_;

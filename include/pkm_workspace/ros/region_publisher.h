@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/tool.h"
 
@@ -19,8 +20,9 @@ namespace pkm_workspace
 class RegionPublisher
 {
 public:
-  /// Advertises. @param context has to outlive this object @param tool what is moved to centers of regions, or nullptr
-  RegionPublisher(NodeContext& context, Tool* tool);
+  /// Advertises. The references have to outlive this object.
+  /// @param tool what is moved to centers of regions, or nullptr @param interaction whose box is moved into them
+  RegionPublisher(NodeContext& context, Tool* tool, Interaction& interaction);
 
   /// Publishes the region and its joint ranges, and moves the machine there.
   void publish(const RegionQuestion& question, const Region& region);
@@ -37,6 +39,7 @@ private:
 
   NodeContext& context_;
   Tool* const tool_;
+  Interaction& interaction_;
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;

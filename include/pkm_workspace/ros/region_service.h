@@ -19,11 +19,13 @@ class RegionService
 {
 public:
   /// Advertises. @param context has to outlive this object, its threads have to end before
-  /// @param tool what is moved to centers of regions, or nullptr
-  RegionService(NodeContext& context, Tool* tool);
+  /// @param tool what is moved to centers of regions, or nullptr @param interaction whose box is moved into them
+  RegionService(NodeContext& context, Tool* tool, Interaction& interaction);
 
   /// Computes the node's own region, later; ends that computation, and the pictures, that still run.
   void computeOwn();
+  /// Takes what was found of the node's own region, and shows it.
+  void adopt(const LargestRegion& region);
   /// Whether the first computation has failed: a FATAL line has said why.
   bool hasFailed() const { return failed_; }
 
@@ -36,6 +38,8 @@ private:
   void computeOwn(const StopFlag& stop);
   /// Computes and, unless it was cancelled, keeps what it finds; leaves it to later jobs to show it.
   RegionConstPtr compute(RegionQuestion question, const StopFlag& stop);
+  /// Keeps an answer, and leaves it to later jobs to show it.
+  void keep(RegionQuestion question, const RegionConstPtr& region);
   /// Publishes; leaves the markers to the painter.
   void show(const RegionQuestion& question, const RegionConstPtr& region);
   RegionConstPtr lastRegion() const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <optional>
 
 #include "pkm_workspace/ros/comparison_service.h"
 #include "pkm_workspace/ros/conditioning_service.h"
@@ -20,20 +22,22 @@ namespace pkm_workspace
 class Server
 {
 public:
-  /// Reads and validates everything, then advertises.
-  /// @throws std::invalid_argument for bad parameters or a bad URDF, std::runtime_error where arithmetic cannot be
-  /// trusted
-  Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  /// Advertises. @param region of the node's own, where it is known; else it is computed
+  Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const Loaded& loaded,
+         const std::optional<LargestRegion>& region = std::nullopt);
   ~Server();
 
-  /// Computes the node's own region and serves, until ROS shuts down.
+  /// Computes the node's own region and serves, until ROS shuts down or end() is called, by any thread.
   /// @return whether that first computation worked; otherwise a FATAL line says why
   bool run();
+  void end() { ended_ = true; }
 
 private:
+  std::atomic<bool> ended_{ false };
   NodeContext context_;
   std::unique_ptr<Tool> tool_;
   Interaction interaction_;
+  SetBelow below_;
   RegionService regions_;
   PavingService pavings_;
   SingularityService singularities_;

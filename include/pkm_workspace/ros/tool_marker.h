@@ -4,6 +4,7 @@
 #include <interactive_markers/interactive_marker_server.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <functional>
 #include <mutex>
 
 #include "pkm_workspace/ros/tool.h"
@@ -23,6 +24,11 @@ public:
   /// The references have to outlive this object.
   ToolMarker(NodeContext& context, Tool& tool, interactive_markers::InteractiveMarkerServer& handles);
 
+  /// @param moved called after each move, by any thread
+  void onMove(const std::function<void()>& moved) { moved_ = moved; }
+  /// Of the handle, in the frame of the root link [m].
+  Eigen::Vector3d lowestPoint() const;
+
 private:
   void show();
 
@@ -31,5 +37,6 @@ private:
   interactive_markers::InteractiveMarkerServer& handles_;
   std::mutex mutex_;
   ros::Publisher markers_;
+  std::function<void()> moved_;
 };
 }  // namespace pkm_workspace

@@ -63,6 +63,7 @@ struct UrdfMachine
   std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
   std::vector<std::string> warnings;        ///< what is in the URDF and not used, or hardly meant
   std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
+  std::array<Interval, 3> drawn_rails;      ///< joint values that each rail is drawn between; empty where it is not
 };
 
 /// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Where it is not drawn
