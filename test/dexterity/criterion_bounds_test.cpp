@@ -90,7 +90,7 @@ TEST(CriterionBounds, areKnownToTheOracle)
 
 TEST(CriterionBounds, areInMessagesAndDocumentation)
 {
-  const std::string limits = contentOf("msg/BindingLimit.msg"), readme = contentOf("README.md");
+  const std::string limits = contentOf("msg/BindingLimit.msg"), node = contentOf("docs/node.md");
   for (const CriterionBound& bound : CRITERION_BOUNDS)
   {
     std::string constant = bound.name;
@@ -100,7 +100,7 @@ TEST(CriterionBounds, areInMessagesAndDocumentation)
     for (const char* const message : { "msg/CriterionRequest.msg", "msg/Hypotheses.msg" })
       EXPECT_NE(contentOf(message).find(std::string("\nfloat64 ") + bound.name + "\n"), std::string::npos)
           << bound.name << " in " << message;
-    EXPECT_NE(readme.find(std::string("`~") + bound.name + "`"), std::string::npos) << bound.name << " in README.md";
+    EXPECT_NE(node.find(std::string("`~") + bound.name + "`"), std::string::npos) << bound.name << " in docs/node.md";
   }
 }
 
