@@ -4,7 +4,6 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
-#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/import/firmware.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
@@ -88,17 +87,9 @@ public:
       json["urdf"] = urdf;
       return { json, urdf };
     }
-    try
-    {
-      writeWholeFile(output_, urdf);
-    }
-    catch (const std::invalid_argument& reason)
-    {
-      throw Failure(std::string("--output ") + reason.what());
-    }
+    writeOutput(output_, urdf);
     json["output"] = output_;
-    return { json, "Wrote machine '" + read.machine.name() + "' to " + output_ + "\n" +
-                       joined(linesAbout(imported()), "\n") + "\n" };
+    return { json, joined(linesAbout(imported()), "\n") + "\n" + wroteMachine(read.machine, output_) };
   }
 
 private:

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "command.h"
+#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 
@@ -33,6 +35,24 @@ Json toJson(const Criterion& criterion)
     if (bound.isAskedBy(criterion))
       json[bound.name] = criterion.*bound.value;
   return json;
+}
+
+void writeOutput(const std::string& path, const std::string& text)
+{
+  try
+  {
+    writeWholeFile(path, text);
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    throw Failure(std::string("--output ") + reason.what());
+  }
+}
+
+std::string wroteMachine(const Machine& machine, const std::string& path)
+{
+  return "Wrote machine '" + machine.name() + "' to " + path + "\nAsk:  pkm largest --urdf " + path +
+         " --psi auto\nLook: roslaunch pkm_workspace machine.launch psi:=auto urdf:=$(realpath " + path + ")\n";
 }
 
 Json contextOf(const Machine& machine)

@@ -64,6 +64,11 @@ std::string seconds(double value);
 /// "(x, y, z) m" with every digit.
 std::string describe(const Eigen::Vector3d& v);
 
+/// Writes the file of --output. @throws Failure with the reason
+void writeOutput(const std::string& path, const std::string& text);
+/// That the URDF of a machine was written, and what to do with it.
+std::string wroteMachine(const Machine& machine, const std::string& path);
+
 /// A list as text, made entry by entry so that it need not be held; @p indent is that of the line it begins in.
 void writeList(std::size_t count, const std::function<Json(std::size_t)>& entry, int indent, std::ostream& out);
 /// The same without a count. @param goes_on whether there is another entry

@@ -6,7 +6,6 @@
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
-#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/import/machine_draft.h"
 #include "pkm_workspace/import/machine_file.h"
 #include "pkm_workspace/machine/catalogue.h"
@@ -125,20 +124,11 @@ public:
       json[is_template_ ? "machine_file" : "urdf"] = text;
       return { json, text };
     }
-    try
-    {
-      writeWholeFile(output_, text);
-    }
-    catch (const std::invalid_argument& reason)
-    {
-      throw Failure(std::string("--output ") + reason.what());
-    }
+    writeOutput(output_, text);
     json["output"] = output_;
-    const std::string what = is_template_ ? "a machine file" : "machine '" + std::string(json["machine"]) + "'";
-    const std::string next = is_template_ ? "Fill it in, then: pkm urdf --from " + output_ + " --output machine.urdf\n"
-                                          : "Ask: pkm largest --urdf " + output_ + " --psi auto\nLook: roslaunch " +
-                                                "pkm_workspace machine.launch urdf:=" + output_ + "\n";
-    return { json, "Wrote " + what + " to " + output_ + "\n" + next };
+    const std::string fill_in = "Wrote a machine file to " + output_ + "\nFill it in, then: pkm urdf --from " +
+                                output_ + " --output machine.urdf\n";
+    return { json, is_template_ ? fill_in : wroteMachine(readUrdf(urdf_).machine, output_) };
   }
 
 private:

@@ -112,7 +112,9 @@ std::optional<FittingBounds> fittingBounds(const Machine& machine, const Criteri
   std::optional<FittingBounds> bounds = search.best();
   if (bounds)
   {
-    // Rounding noise of an isotropic point must not show in a third digit.
+    // Rounding noise of a symmetric machine must show neither in a coordinate nor in a third digit.
+    const double noise = 1e-9 * machine.scale();
+    bounds->point = bounds->point.unaryExpr([noise](double x) { return std::abs(x) < noise ? 0.0 : x; });
     bounds->psi_max = *parseNumber(significantAbove(ROOM * spread(bounds->psi) * (1.0 - 1e-6), 2));
     bounds->psi_min = *parseNumber(nearly(1.0 / bounds->psi_max, 2));
   }
