@@ -181,9 +181,11 @@ private:
   {
     const std::string name = optionName(key);
     const Quantity quantity = quantityOf(key);
-    options.words(name, key.values, std::string(key.help) + "; each " + quantity.describe(),
+    options.words(name, key.values,
+                  key.help + (key.kind == DraftKey::Kind::SIDE ? std::string() : "; each " + quantity.describe()),
                   [this, &key, name, quantity](const Words& words) {
-                    readNumbers(words, quantity);
+                    if (key.kind != DraftKey::Kind::SIDE)
+                      readNumbers(words, quantity);
                     draft_.setMachine(key, words, "--" + name);
                   });
   }

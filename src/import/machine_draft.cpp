@@ -56,6 +56,8 @@ const std::vector<DraftKey>& machineKeys()
 {
   static const std::vector<DraftKey> keys = {
     { "tool", Kind::LENGTH, 3, "X Y Z", "the tool point, seen from the middle of the platform; without it, 0 0 0" },
+    { "assembly", Kind::SIDE, 1, "lower|upper",
+      "where the platform is when the struts can meet on both sides (rails that lie); without it, lower" },
     { "mount", Kind::LENGTH, 3, "X Y Z", "where the machine stands in a frame \"world\"; without it, there is none" },
     { "mount_rpy", Kind::ANGLE, 3, "ROLL PITCH YAW", "how it is turned there; without it, 0 0 0" },
   };
@@ -90,6 +92,15 @@ public:
   {
     const auto numbers = find(values, name, kind);
     return numbers ? Vector3d(numbers->data()) : Vector3d(Vector3d::Zero());
+  }
+
+  bool isUpper(const Values& values)
+  {
+    const auto given = values.find("assembly");
+    const std::string side = given == values.end() ? "lower" : given->second.texts.front();
+    if (side != "lower" && side != "upper")
+      complain(problems, given->second.place, ": assembly = '", shortened(side, 60), "', expected lower or upper");
+    return side == "upper";
   }
 
   /// A leg with all that its values say; its height is that of joint value 0, counted from the home height or from 0.
@@ -216,6 +227,7 @@ MachineDescription MachineDraft::finished() const
   if (any_height)
     askFor("home_height", "other legs have one", has_height, reader.problems);
   machine.tool = reader.three(machine_, "tool", Kind::LENGTH);
+  machine.is_upper = reader.isUpper(machine_);
   if (machine_.count("mount") + machine_.count("mount_rpy") > 0)
     machine.mount =
         Mount{ reader.three(machine_, "mount", Kind::LENGTH), reader.three(machine_, "mount_rpy", Kind::ANGLE) };

@@ -212,6 +212,7 @@ legs:
     length: 0.2691
 
 tool: [0, 0, -0.040]         # the tool point, seen from the middle of the platform
+# assembly: lower            # upper: the platform is above rails that lie, where both are possible
 mount: [0, 0, 0.75]          # where the machine stands in the frame "world"
 mount_rpy: [0, 0, 15]        # and how it is turned there: roll, pitch, yaw
 )";

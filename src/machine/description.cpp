@@ -100,11 +100,12 @@ std::optional<Vector3d> assembledTool(const MachineDescription& machine, const V
     centers.col(i) = sliderJoint(leg, joints[i]) - (legAxes(leg) * leg.platform_joint - machine.tool);
     lengths[i] = leg.length;
   }
-  std::optional<Vector3d> lowest;
+  std::optional<Vector3d> best;
+  const double upwards = machine.is_upper ? 1.0 : -1.0;
   if (const auto points = meetingPoints(centers, lengths))
     for (const Vector3d& p : *points)
-      if (isInModes(machine, centers, p) && (!lowest || p.z() < lowest->z()))
-        lowest = p;
-  return lowest;
+      if (isInModes(machine, centers, p) && (!best || upwards * p.z() > upwards * best->z()))
+        best = p;
+  return best;
 }
 }  // namespace pkm_workspace

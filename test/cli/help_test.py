@@ -39,7 +39,7 @@ OPTIONS = {
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
                       "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
                       "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode", "tool",
-                      "mount", "mount-rpy"},
+                      "mount", "mount-rpy", "assembly"},
 }
 
 

@@ -106,6 +106,7 @@ TEST(MachineFile, refusesWithLineAndReason)
     { changed("all_legs", "unit: cm\nall_legs"), "f.yaml:1: unit = 'cm', expected m or mm" },
     { std::string(SHORT_FILE) + "tool: [0, 0]\n", "f.yaml:3: tool needs 3 values in brackets \\(X Y Z\\), got 2" },
     { std::string(SHORT_FILE) + "mount: [0, 0, x]\n", "f.yaml:3: mount = 'x', expected a number \\[m\\]" },
+    { std::string(SHORT_FILE) + "assembly: left\n", "f.yaml:3: assembly = 'left', expected lower or upper" },
     { std::string(SHORT_FILE) + "name: []\n", "f.yaml:3: name needs one value" },
     { changed("length: 0.269", "length: 0.1"), "the struts do not meet" },
     { "legs: [{}, {}, {}]\n" + std::string("all_legs: {length: 1}\n"), "f.yaml:2: all_legs must stand before legs" },

@@ -89,12 +89,12 @@ double excess(const MachineDescription& machine, std::size_t i, const Vector3d& 
 }
 
 /// Joint values of points near the zero configuration against the description.
-void expectDescribed(const MachineDescription& description, Random& random)
+void expectDescribed(const MachineDescription& description, Random& random, double reach = 0.03)
 {
   const UrdfMachine urdf = readUrdf(writeUrdf(description));
   for (int k = 0; k < 20; ++k)
   {
-    const auto some = [&random] { return random.uniform(-0.03, 0.03); };
+    const auto some = [&random, reach] { return random.uniform(-reach, reach); };
     const Vector3d p = urdf.machine.zero() + Vector3d(some(), some(), some());
     const auto joints = inverseKinematics(urdf.machine, p);
     ASSERT_TRUE(joints);
@@ -119,6 +119,26 @@ TEST(DescribedMachine, isWhatItsUrdfSays)
     expectDescribed(machine, random);
   }
   EXPECT_GT(tried, 20);
+}
+
+// Sliders on lying rails, as in a Triaglide, and sliders below their platform.
+TEST(DescribedMachine, standsOnItsOtherSide)
+{
+  Random random(SEED);
+  SCOPED_TRACE(SEED);
+  MachineDescription lying = calibrated();
+  for (LegDescription& leg : lying.legs)
+    leg.lean = degrees(90.0);
+  const double lower = assembledTool(lying, Vector3d::Zero())->z();
+  expectDescribed(lying, random, 0.005);
+  lying.is_upper = true;
+  EXPECT_GT(assembledTool(lying, Vector3d::Zero())->z(), lower + 0.4);
+  expectDescribed(lying, random, 0.005);
+  MachineDescription below = calibrated();
+  for (LegDescription& leg : below.legs)
+    leg.working_mode = 1;
+  expectDescribed(below, random);
+  EXPECT_EQ(slidingStrut(readUrdf(writeUrdf(below)).machine.leg(0)).working_mode, 1);
 }
 
 TEST(DescribedMachine, keepsTheStrutsLengthAndParallelRails)

@@ -20,6 +20,7 @@ struct DraftKey
     LENGTH,  ///< in the draft's unit
     ANGLE,   ///< in degrees
     SIGN,    ///< -1 or 1
+    SIDE,    ///< "lower" or "upper"
     NAME
   };
   const char* name;

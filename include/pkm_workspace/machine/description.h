@@ -43,6 +43,7 @@ struct MachineDescription
   std::string name = "machine";
   std::array<LegDescription, 3> legs;
   Eigen::Vector3d tool = Eigen::Vector3d::Zero();  ///< the tool point, seen from the platform's middle [m]
+  bool is_upper = false;                           ///< of two assemblies in these working modes, the upper one
   std::optional<Mount> mount;                      ///< of the machine's frame "base_link" in the frame "world"
 
   /// Appends a sentence for each number that no machine has.
@@ -60,7 +61,7 @@ Eigen::Matrix3d legAxes(const LegDescription& leg);
 Eigen::Vector3d sliderJoint(const LegDescription& leg, double joint);
 
 /// The tool point at given joint values, in floating point: all struts in their working modes, and of two such points
-/// the lower one.
+/// the lower or the upper one, as the machine says.
 /// @param joints [m] @return in the machine's axes [m]; nothing where the struts do not meet so
 std::optional<Eigen::Vector3d> assembledTool(const MachineDescription& machine, const Eigen::Vector3d& joints);
 }  // namespace pkm_workspace
