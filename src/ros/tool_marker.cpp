@@ -89,8 +89,8 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
     for (int i = 0; i < 3; ++i)
       addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
   if (!good)
-    scene.addText("reason", tool.point + 150.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
-                  tool.objection.empty() ? describe(there.binding(), machine) : tool.objection);
+    scene.addText("reason", tool.point - 330.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
+                  tool.objection.empty() ? describe(there.binding(), machine) : tool.objection, 0.75);
   return scene.array();
 }
 

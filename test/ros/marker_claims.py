@@ -89,6 +89,6 @@ def singularity(case, match):
 
 
 def tool(case, match):
-    """Of a tool that stops at the border, below the text."""
+    """Of a tool that stops at the border, above the text."""
     x, y, z = next(xyz(marker.pose.position) for marker in case.markers if marker.ns == "reason")
-    reason(case, match["reason"], [x, y, z - 0.15 * case.machine.span], slack=1e-6)
+    reason(case, match["reason"], [x, y, z + 0.33 * case.machine.span], slack=1e-6)

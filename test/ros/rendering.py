@@ -160,9 +160,9 @@ class Screen:
         self.server.wait(PATIENCE)
         self.folder.cleanup()
 
-    def click(self, row, column):
+    def click(self, row, column, button=1):
         subprocess.run(["xdotool", "mousemove", str(column), str(row), "sleep", "0.3", "mousemove_relative", "1", "0",
-                        "sleep", "0.3", "click", "1"], env=self.environment, check=True)
+                        "sleep", "0.3", "click", str(button)], env=self.environment, check=True)
 
     def picture(self):
         data = (pathlib.Path(self.folder.name) / "Xvfb_screen0").read_bytes()
