@@ -2,7 +2,9 @@
 """All that a node is asked, for answers of every kind."""
 
 import copy
+import math
 import random
+import re
 import threading
 
 from answer_claims import brackets, xyz
@@ -31,6 +33,14 @@ STATUS = ("none", "there", "undecided")
 
 def is_about(markers, hypotheses):
     return criterion_of(markers[0].text) == criterion_of(definition_of(hypotheses))
+
+
+def shows(markers, region):
+    """Whether they are of this very region, and not of the one before, whose shape and criterion may be the same."""
+    labels = [marker.text for marker in markers if marker.ns == "region" and marker.text.startswith(region.shape)]
+    sizes = [float(re.search(r"[0-9.e-]*[0-9]", label[len(region.shape):])[0]) for label in labels]
+    is_its = any(math.isclose(size, side, rel_tol=2e-3) for size in sizes for side in region.solid.dimensions)
+    return is_its and is_about(markers, region.hypotheses)
 
 
 class Questions:
@@ -80,9 +90,7 @@ class Questions:
         self.computed(node)
         self.answered(node, "get_region", node.client.last_region())
         if region.size > 0:
-            self.shown(node, "markers", lambda markers: any(
-                marker.ns == "region" and marker.text.startswith(region.shape) for marker in markers) and is_about(
-                    markers, region.hypotheses), region.hypotheses, answer=region)
+            self.shown(node, "markers", lambda markers: shows(markers, region), region.hypotheses, answer=region)
 
     def largest(self, node):
         for shape, criterion in (("cube", WIDE), ("square", FREE), ("sphere", FREE), ("disc", CriterionRequest())):
