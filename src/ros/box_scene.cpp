@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "labels.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/box_marker.h"
 #include "pkm_workspace/ros/conversions.h"
@@ -64,8 +65,7 @@ visualization_msgs::MarkerArray boxMarkers(const Box& box, const ContainmentResu
     ball.pose.position = toMessage(*result.bad_point);
     ball.scale.x = ball.scale.y = ball.scale.z = 30.0 * scene.unit();
   }
-  const Eigen::Vector3d above(box.center().x(), box.center().y(), box.upper.z() + 170.0 * scene.unit());
-  scene.addText("verdict", above, textOf(box, result, evaluate), 0.75);
+  scene.addText("verdict", labelOf(box, evaluate.machine(), scene.unit()), textOf(box, result, evaluate), 0.75);
   return scene.array();
 }
 }  // namespace pkm_workspace

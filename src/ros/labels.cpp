@@ -27,6 +27,16 @@ Vector3d halfSidesOf(const Region& region)
   return { radius, radius, dimensions.size() == 1 ? radius : 0.5 * dimensions.front() };
 }
 
+std::vector<Vector3d> cornersOf(const Vector3d& center, const Vector3d& half_sides)
+{
+  std::vector<Vector3d> corners;
+  for (const double x : { -1.0, 1.0 })
+    for (const double y : { -1.0, 1.0 })
+      for (const double z : { -1.0, 1.0 })
+        corners.push_back(center + Vector3d(x, y, z).cwiseProduct(half_sides));
+  return corners;
+}
+
 /// From wherever it is seen, nothing of the points is lower than this height over the center.
 double lowestSeen(const std::vector<Vector3d>& points, const Vector3d& center)
 {
@@ -45,14 +55,24 @@ double highestSeen(const std::vector<Vector3d>& points, const Vector3d& center)
 }
 }  // namespace
 
+Vector3d labelOf(const Box& box, const Machine& machine, double unit)
+{
+  const Vector3d center = box.center();
+  const std::vector<Vector3d> corners = cornersOf(center, 0.5 * (box.upper - box.lower));
+  const Vector3d joints = inverseKinematics(machine, machine.zero()).value_or(Vector3d::Zero());
+  double above = 0.0;
+  for (int i = 0; i < 3; ++i)
+    above += drivenPoint(machine.leg(i), joints[i]).z() - machine.zero().z();
+  // three lines, which stand on their place
+  const double height = above > 0.0 ? lowestSeen(corners, center) - 200.0 * unit : highestSeen(corners, center);
+  return { center.x(), center.y(), height + 100.0 * unit };
+}
+
 LabelPlaces::LabelPlaces(const Region& region, const Machine& machine, const DrawnRails& rails, double unit)
   : unit_(unit), center_(region.size > 0.0 ? fromMessage(region.center) : machine.zero())
 {
   if (region.size > 0.0)
-    for (const double x : { -1.0, 1.0 })
-      for (const double y : { -1.0, 1.0 })
-        for (const double z : { -1.0, 1.0 })
-          corners_.push_back(center_ + Vector3d(x, y, z).cwiseProduct(halfSidesOf(region)));
+    corners_ = cornersOf(center_, halfSidesOf(region));
   double above = 0.0;
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
   {

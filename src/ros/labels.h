@@ -9,6 +9,10 @@
 
 namespace pkm_workspace
 {
+/// Where what is written about a box stands: on the side of it where no struts are.
+/// @param unit a thousandth of the machine's size [m]
+Eigen::Vector3d labelOf(const Box& box, const Machine& machine, double unit);
+
 /// Where what is written about a machine and its region stands: around them, so that it covers neither them nor each
 /// other when seen from the side or obliquely from above, from any direction around them.
 class LabelPlaces

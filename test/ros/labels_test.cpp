@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/ros/box_marker.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
@@ -158,6 +159,29 @@ TEST(Labels, coverNeitherEachOtherNorTheRails)
     const Drawn scene = drawn(each.file, each.shape);
     for (const double turn : { -0.1, 0.0, 0.1 })
       expectApart(scene, each.yaw + turn);
+  }
+}
+
+/// Above the box on an Orthoglide, whose struts come from below and beside; below it under the carriages of a delta.
+TEST(Labels, ofABoxStandWhereNoStrutsAre)
+{
+  for (const auto& [file, side] :
+       { std::make_pair("urdf/orthoglide.urdf", 1.0), std::make_pair("urdf/uranesx.urdf", -1.0),
+         std::make_pair("test/data/delta_cnc.urdf", -1.0) })
+  {
+    const Machine machine = readUrdfFile(ROOT + file).machine;
+    const Vector3d half = Vector3d::Constant(0.1 * machine.scale());
+    const Box box{ machine.zero() - half, machine.zero() + half };
+    const visualization_msgs::MarkerArray array =
+        boxMarkers(box, ContainmentResult(), PointEvaluator(machine, defaultCriterion()), "base_link");
+    int lines = 0;
+    for (const visualization_msgs::Marker& marker : array.markers)
+      if (marker.ns == "verdict")
+      {
+        ++lines;
+        EXPECT_GT(side * (marker.pose.position.z - machine.zero().z()), half.z()) << file;
+      }
+    EXPECT_GT(lines, 0);
   }
 }
 
