@@ -63,9 +63,10 @@ Vector3d labelOf(const Box& box, const Machine& machine, double unit)
   double above = 0.0;
   for (int i = 0; i < 3; ++i)
     above += drivenPoint(machine.leg(i), joints[i]).z() - machine.zero().z();
-  // three lines, which stand on their place
-  const double height = above > 0.0 ? lowestSeen(corners, center) - 200.0 * unit : highestSeen(corners, center);
-  return { center.x(), center.y(), height + 100.0 * unit };
+  // below the arrows of the tool, too, which begins near the box; above, three lines have to clear the box
+  const double height =
+      above > 0.0 ? lowestSeen(corners, center) - 360.0 * unit : highestSeen(corners, center) + 100.0 * unit;
+  return { center.x(), center.y(), height };
 }
 
 LabelPlaces::LabelPlaces(const Region& region, const Machine& machine, const DrawnRails& rails, double unit)
