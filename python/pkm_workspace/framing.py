@@ -79,7 +79,11 @@ def stroke_of(joint, length):
 
 def axis_of(joint):
     axis = joint.find("axis")
-    return numbers(axis.get("xyz")) if axis is not None else [1.0, 0.0, 0.0]
+    if axis is None:
+        return [1.0, 0.0, 0.0]
+    vector = numbers(axis.get("xyz"))
+    length = math.hypot(*vector)
+    return [x / length for x in vector]
 
 
 class Walk:

@@ -72,6 +72,7 @@ public:
     options.require({ "file" });
   }
 
+  Words warnings() const override { return readUrdf(writeUrdf(imported().machine)).warnings; }
   Words notes() const override { return output_.empty() ? linesAbout(imported()) : Words(); }
 
   Answer answer() override

@@ -115,6 +115,8 @@ public:
     options.check(allNames(), [this, &options](Problems& problems) { make(options, problems); });
   }
 
+  Words warnings() const override { return is_template_ ? Words() : remarksOn(readUrdf(urdf_)); }
+
   Answer answer() override
   {
     const std::string text = is_template_ ? machineFileTemplate() : urdf_;
@@ -135,7 +137,7 @@ private:
   void declareSources(Options& options)
   {
     options.flag("linear-delta", is_delta_,
-                 "a machine by its numbers, from --rail-radius, --length and --travel on; said by these alone, too");
+                 "a machine by its numbers, from --rail-radius, --length and --travel on; these alone mean it, too");
     options.text("from", file_, "FILE", "a machine file (YAML)");
     options.flag("template", is_template_, "writes a machine file to fill in, with comments");
     options.flag("orthoglide", is_orthoglide_, "the Orthoglide of the paper, --length");

@@ -86,6 +86,13 @@ private:
   std::optional<FittingBounds> best_;
 };
 
+/// The largest number of two significant digits that is not above, but for rounding.
+double twoDigitsBelow(double value)
+{
+  const double power = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
+  return *parseNumber(nearly(std::floor(value * power * (1.0 + 1e-12)) / power, 2));
+}
+
 std::string rangeOf(const Vector3d& psi)
 {
   return nearly(psi[0], 3) + " to " + nearly(psi[2], 3);
@@ -116,7 +123,7 @@ std::optional<FittingBounds> fittingBounds(const Machine& machine, const Criteri
     const double noise = 1e-9 * machine.scale();
     bounds->point = bounds->point.unaryExpr([noise](double x) { return std::abs(x) < noise ? 0.0 : x; });
     bounds->psi_max = *parseNumber(significantAbove(ROOM * spread(bounds->psi) * (1.0 - 1e-6), 2));
-    bounds->psi_min = *parseNumber(nearly(1.0 / bounds->psi_max, 2));
+    bounds->psi_min = twoDigitsBelow(1.0 / bounds->psi_max);
   }
   return bounds;
 }

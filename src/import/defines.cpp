@@ -12,7 +12,8 @@ namespace firmware
 {
 namespace
 {
-constexpr int MOST_NAMES = 20;  ///< that stand for one another
+constexpr int MOST_NAMES = 20;            ///< that stand for one another
+constexpr int MOST_EVALUATIONS = 100000;  ///< of one file: sums of sums grow without end
 
 /// The first word, and what follows it.
 std::pair<std::string, std::string> cutWord(const std::string& text)
@@ -123,7 +124,7 @@ bool Defines::isEnabled(const std::string& name) const
 
 std::optional<Decimal> Defines::evaluate(const std::string& text, int depth) const
 {
-  if (depth > MOST_NAMES)
+  if (depth > MOST_NAMES || ++evaluations_ > MOST_EVALUATIONS)
     return std::nullopt;
   const auto value = [&](const std::string& name) -> std::optional<Decimal> {
     const Entry* const entry = find(name);

@@ -63,6 +63,7 @@ private:
   std::map<std::string, std::string> undecided_;  ///< names, and the condition with its place
   std::vector<Branch> branches_;
   mutable std::set<std::string> used_;
+  mutable int evaluations_ = 0;
 };
 }  // namespace firmware
 }  // namespace pkm_workspace

@@ -51,9 +51,10 @@ double rise(const Decimal& arm, const Decimal& across)
   return std::sqrt(std::max(0.0, (arm * arm - across * across).nearest()));
 }
 
-double roundedOut(double value, bool up)
+/// A limit to the micrometre, on its inner side: what is proved within it the controller allows.
+double roundedIn(double limit, bool is_upper)
 {
-  return *parseNumber(up ? roundedUp(value + HAIR, MICROMETRES) : roundedDown(value - HAIR, MICROMETRES));
+  return *parseNumber(is_upper ? roundedDown(limit - HAIR, MICROMETRES) : roundedUp(limit + HAIR, MICROMETRES));
 }
 
 /// The carriage at the controller's lowest move. Where its reach is not known, the strut lies flat there at the worst.
@@ -67,7 +68,7 @@ double lowerLimit(const Tower& tower, const LinearDelta& delta)
   const Decimal across = *tower.radius + *delta.print_radius;
   if (!(across < *tower.arm) && sunk == 0.0)
     return lowest.nearest();
-  return roundedOut(lowest.nearest() - sunk + rise(*tower.arm, across), false);
+  return roundedIn(lowest.nearest() - sunk + rise(*tower.arm, across), false);
 }
 
 LegDescription describe(const Tower& tower, const LinearDelta& delta)
@@ -82,7 +83,7 @@ LegDescription describe(const Tower& tower, const LinearDelta& delta)
   leg.upper =
       tower.upper
           ? tower.upper->nearest()
-          : roundedOut((tower.home.value_or(0) - tower.height).nearest() + rise(*tower.arm, *tower.radius), true);
+          : roundedIn((tower.home.value_or(0) - tower.height).nearest() + rise(*tower.arm, *tower.radius), true);
   return leg;
 }
 

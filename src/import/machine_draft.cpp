@@ -30,11 +30,11 @@ const std::vector<DraftKey>& legKeys()
     { "angle", Kind::ANGLE, 1, "ANGLE",
       "where the leg stands around the machine, counter-clockwise from x; without it, 0, 120 and 240 degrees" },
     { "rail_radius", Kind::LENGTH, 1, "R",
-      "from the middle of the machine to the strut's joint on the slider, or to the rail with --slider-joint" },
+      "from the middle of the machine to the strut's joint on the slider at home, or to the rail with --slider-joint" },
     { "x", Kind::LENGTH, 1, "X", "place of the rail, with y, in place of a radius" },
     { "y", Kind::LENGTH, 1, "Y", "place of the rail, with x, in place of a radius" },
     { "lean", Kind::ANGLE, 2, "OUT SIDE",
-      "how far the rail leans from the vertical, outwards and counter-clockwise; without it, 0 0" },
+      "how far the rail leans from the vertical: outwards first, then counter-clockwise; without it, 0 0" },
     { "length", Kind::LENGTH, 1, "L", "of the strut, from joint to joint" },
     { "platform_radius", Kind::LENGTH, 1, "r",
       "from the middle of the platform to the strut's joint; without it 0: R is then the difference of the radii" },
@@ -43,7 +43,8 @@ const std::vector<DraftKey>& legKeys()
     { "platform_joint", Kind::LENGTH, 3, "OUT SIDE UP",
       "the strut's joint, seen from its place on the platform's circle; without it, 0 0 0" },
     { "travel", Kind::LENGTH, 2, "LO HI", "joint values that the slider can take" },
-    { "home", Kind::LENGTH, 1, "Q", "joint value of the slider when the machine is homed; without it, 0" },
+    { "home", Kind::LENGTH, 1, "Q",
+      "joint value of the slider when the machine is homed, with home_height; without it, 0" },
     { "home_height", Kind::LENGTH, 1, "Z",
       "height of the slider then; without it, the tool touches z = 0 with all sliders at the lower end" },
     { "working_mode", Kind::SIGN, 1, "-1|1",
@@ -123,12 +124,37 @@ public:
     leg.lower = travel[0];
     leg.upper = travel[1];
     leg.working_mode = one(values, "working_mode", Kind::SIGN, -1.0) > 0.0 ? 1 : -1;
-    const double home = one(values, "home", Kind::LENGTH, 0.0);
-    leg.height = one(values, "home_height", Kind::LENGTH, 0.0) - home * railDirection(leg).z();
+    putHome(values, i, leg);
+    checkRadii(values, i);
     return leg;
   }
 
 private:
+  /// Radius and height are those of the slider at home; a description has them at joint value 0.
+  void putHome(const Values& values, std::size_t i, LegDescription& leg)
+  {
+    const double home = one(values, "home", Kind::LENGTH, 0.0);
+    if (values.count("home") > 0 && values.count("home_height") == 0)
+      complain(problems, values.at("home").place, ": home of leg ", i + 1,
+               " says where the slider is at home, and home_height at which height that is; give both or neither");
+    const Vector3d way = home * railDirection(leg);
+    leg.radius -= way.x();
+    leg.slider_joint.y() -= way.y();
+    leg.height = one(values, "home_height", Kind::LENGTH, 0.0) - way.z();
+  }
+
+  void checkRadii(const Values& values, std::size_t i)
+  {
+    const double platform = one(values, "platform_radius", Kind::LENGTH, 0.0);
+    const double rail = one(values, "rail_radius", Kind::LENGTH, 1.0);
+    if (!(rail > 0.0))
+      complain(problems, values.at("rail_radius").place, ": rail_radius of leg ", i + 1, " = ", rail,
+               " m, expected a positive length; angle says on which side the rail is");
+    if (!(platform >= 0.0))
+      complain(problems, values.at("platform_radius").place, ": platform_radius of leg ", i + 1, " = ", platform,
+               " m, expected none or a positive length");
+  }
+
   void place(const Values& values, std::size_t i, LegDescription& leg)
   {
     const auto x = find(values, "x", Kind::LENGTH);

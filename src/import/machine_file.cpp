@@ -183,7 +183,7 @@ std::string machineFileTemplate()
 {
   return R"(# A machine with three rails and three struts of fixed length: fill in what you measured, then
 #   pkm urdf --from FILE --output machine.urdf
-# Angles are degrees, lengths the unit below. What begins with "# " may be left away.
+# Angles are degrees, lengths the unit below. What begins with "# " may be left out.
 name: my_machine
 unit: m                      # m or mm
 

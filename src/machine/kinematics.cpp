@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pkm_workspace/machine/assembly.h"
 #include "pkm_workspace/machine/leg_forms.h"
@@ -24,6 +25,11 @@ std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Ve
                   machine.enclosed(i)))
       return std::nullopt;
   return legs;
+}
+
+bool isInModeOf(const Machine& machine, int leg, const Vector3d& strut)
+{
+  return visitLeg([&strut](const auto& kind) { return isInMode(kind, strut); }, machine.enclosed(leg));
 }
 }  // namespace
 
@@ -80,16 +86,31 @@ std::optional<Vector3d> forwardKinematics(const Machine& machine, const Vector3d
   return assemble(machine, rho, machine.aspect());
 }
 
-std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, int aspect)
+namespace
 {
-  Matrix3d centers;
-  Vector3d radii;
+/// What the struts end on: centers one a column, and radii [m].
+std::pair<Matrix3d, Vector3d> spheresAt(const Machine& machine, const Vector3d& rho)
+{
+  std::pair<Matrix3d, Vector3d> spheres;
   for (int i = 0; i < 3; ++i)
   {
     const LegSphere sphere = sphereAt(machine.enclosed(i), rho[i]);
-    centers.col(i) = sphere.center;
-    radii[i] = sphere.radius;
+    spheres.first.col(i) = sphere.center;
+    spheres.second[i] = sphere.radius;
   }
+  return spheres;
+}
+}  // namespace
+
+std::optional<std::array<Vector3d, 2>> assemblies(const Machine& machine, const Vector3d& rho)
+{
+  const auto [centers, radii] = spheresAt(machine, rho);
+  return meetingPoints(centers, radii);
+}
+
+std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, int aspect)
+{
+  const auto [centers, radii] = spheresAt(machine, rho);
   const auto points = meetingPoints(centers, radii);
   if (!points)
     return std::nullopt;
@@ -98,7 +119,7 @@ std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, in
     const Matrix3d struts = p.replicate<1, 3>() - centers;  // columns d_i
     bool fits = aspect * struts.determinant() > 0.0;
     for (int i = 0; i < 3; ++i)
-      fits = fits && visitLeg([&](const auto& kind) { return isInMode(kind, struts.col(i)); }, machine.enclosed(i));
+      fits = fits && isInModeOf(machine, i, struts.col(i));
     if (fits)
       return p;
   }

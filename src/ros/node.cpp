@@ -36,7 +36,10 @@ Node::~Node()
 
 void Node::stop()
 {
-  stopped_ = true;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);  // no wait begins between the two
+    stopped_ = true;
+  }
   changed_.notify_all();
   if (thread_.joinable())
     thread_.join();

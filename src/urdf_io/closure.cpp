@@ -23,11 +23,17 @@ struct Candidate
 };
 using Candidates = std::array<std::vector<Candidate>, 3>;
 
-/// One candidate of each leg; their distances are those from the first leg's.
+/// One candidate of each leg.
 struct Triple
 {
   std::array<const Candidate*, 3> of;
-  double distance = 0.0;
+
+  /// The largest distance between any two [m].
+  double distance() const
+  {
+    return std::max({ (of[1]->point - of[0]->point).norm(), (of[2]->point - of[0]->point).norm(),
+                      (of[2]->point - of[1]->point).norm() });
+  }
 
   int depth() const
   {
@@ -121,8 +127,7 @@ std::vector<Triple> coincidingTriples(const Candidates& candidates, double toler
     const Candidate* const second = partnerOf(first, candidates[1], tolerance);
     const Candidate* const third = partnerOf(first, candidates[2], tolerance);
     if (second != nullptr && third != nullptr)
-      triples.push_back({ { &first, second, third },
-                          std::max((second->point - first.point).norm(), (third->point - first.point).norm()) });
+      triples.push_back({ { &first, second, third } });
   }
   return triples;
 }
@@ -139,28 +144,57 @@ Triple nearestTriple(const Candidates& candidates)
       const auto distance = [&first](const Candidate& c) { return (c.point - first.point).norm(); };
       const auto nearer = [&](const Candidate& a, const Candidate& b) { return distance(a) < distance(b); };
       triple.of[i] = &*std::min_element(candidates[i].begin(), candidates[i].end(), nearer);
-      triple.distance = std::max(triple.distance, distance(*triple.of[i]));
     }
-    if (!best || triple.distance < best->distance)
+    if (!best || triple.distance() < best->distance())
       best = triple;
   }
   return *best;
 }
 
+/// Refuses links that are drawn too far apart to be one point.
+void checkDistance(const Triple& triple, double allowed, Problems& problems)
+{
+  if (triple.distance() <= allowed)
+    return;
+  complain(problems, "the tcp frames of links ", triple.names(), " are ", roundedText(triple.distance(), 6),
+           " m apart at zero, expected at most ", roundedText(urdf_tolerance::GAP, 3), " L = ", roundedText(allowed, 6),
+           " m: at zero the machine must be drawn assembled, or nearly");
+  throwRefusal(problems);
+}
+
+/// Where links are drawn apart that are one point, each must have one partner alone on each other leg.
+void checkPartners(const Candidates& candidates, double allowed, double same, Problems& problems)
+{
+  for (const auto& leg : candidates)
+    for (const Candidate& link : leg)
+      for (const auto& others : candidates)
+      {
+        const Candidate* partner = nullptr;
+        for (const Candidate& other : others)
+        {
+          if (&others == &leg || !((other.point - link.point).norm() <= allowed))
+            continue;
+          if (partner != nullptr && !((other.point - partner->point).norm() <= same))
+            complain(problems, "at zero link '", link.station->link, "' is drawn within ", roundedText(allowed, 3),
+                     " m of both '", partner->station->link, "' and '", other.station->link,
+                     "', and coincides with neither; name the three links of the tool point with tcp_links");
+          partner = &other;
+        }
+      }
+  throwRefusal(problems);
+}
+
 /// How far links may be apart that count as one point: more than rounding where no triple comes that near.
-/// @param problems of the legs, told with that of the nearest triple when it is too far apart
+/// @param problems of the legs, told with what is wrong with the distances
 double toleranceFor(const Candidates& candidates, double length, Problems& problems)
 {
-  const Triple nearest = nearestTriple(candidates);
   const double allowed = urdf_tolerance::GAP * length;
-  if (!(nearest.distance <= allowed))
-  {
-    complain(problems, "the tcp frames of links ", nearest.names(), " are ", roundedText(nearest.distance, 6),
-             " m apart at zero, expected at most ", roundedText(urdf_tolerance::GAP, 3),
-             " L = ", roundedText(allowed, 6), " m: at zero the machine must be drawn assembled, or nearly");
-    throwRefusal(problems);
-  }
-  return std::max(urdf_tolerance::COINCIDE * length, 2.0 * nearest.distance);
+  const Triple nearest = nearestTriple(candidates);
+  checkDistance(nearest, allowed, problems);
+  if (nearest.distance() <= urdf_tolerance::COINCIDE * length)
+    return urdf_tolerance::COINCIDE * length;
+  checkPartners(candidates, allowed, 1e-9 * length, problems);
+  return allowed;
 }
 
 /// @pre one triple at least coincides
@@ -191,7 +225,6 @@ void checkIndependence(const std::array<ClosedLeg, 3>& legs, Problems& problems)
                  "', which couples their struts; expected passive joints that turn each strut by itself");
     }
 }
-
 }  // namespace
 
 Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const UrdfOptions& options)
@@ -207,6 +240,7 @@ Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const Ur
   for (const auto& leg : candidates)
     length = std::max(length, measureLeg(*leg.front().station, of_first).length.upper());
   const Triple triple = deepestTriple(candidates, toleranceFor(candidates, length, of_first), of_first);
+  checkDistance(triple, urdf_tolerance::GAP * length, of_first);
 
   Problems problems;
   Closure closure;
@@ -218,7 +252,7 @@ Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const Ur
   }
   checkIndependence(closure.legs, problems);
   throwRefusal(problems);
-  closure.gap = triple.distance;
+  closure.gap = triple.distance();
   closure.allowed = urdf_tolerance::GAP * length;
   closure.beyond = linksBeyond(model, stations, closure);
   closure.named = options.tool_link;

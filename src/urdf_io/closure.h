@@ -20,7 +20,7 @@ struct ClosedLeg
   IntervalVector tool_point;  ///< the tool point by this leg, at zero, in the root frame [m]
 };
 
-/// A link that is fixed where the legs meet, but elsewhere.
+/// A link that is fixed to the platform, but not where the legs meet.
 struct Beyond
 {
   std::string link;

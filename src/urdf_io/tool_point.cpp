@@ -7,17 +7,6 @@ namespace pkm_workspace
 {
 namespace urdf_io
 {
-namespace
-{
-bool isBelow(const std::string& link, const std::string& above, const Model& model)
-{
-  for (auto parent = model.link(link).getParent(); parent; parent = parent->getParent())
-    if (parent->name == above)
-      return true;
-  return false;
-}
-}  // namespace
-
 IntervalVector toolAt(const std::string& link, const Model& model, const std::array<Rail, 3>& rails,
                       const Stations& stations, const Closure& closure)
 {
@@ -50,7 +39,9 @@ std::vector<Beyond> linksBeyond(const Model& model, const Stations& stations, co
     {
       const Station& tcp = closure.legs[i].tcp;
       const double distance = mid(station.offset - tcp.offset).norm();
-      if (station.isOnPlatform() && isBelow(station.link, tcp.link, model) && distance > 1e-9 * closure.scale())
+      const bool is_end = model.link(station.link).child_joints.empty();
+      if (is_end && station.isOnPlatform() && station.wrist.back().joint == tcp.wrist.back().joint &&
+          distance > 1e-9 * closure.scale())
         beyond.push_back({ station.link, distance });
     }
   return beyond;

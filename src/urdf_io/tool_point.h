@@ -15,7 +15,7 @@ namespace urdf_io
 IntervalVector toolAt(const std::string& link, const Model& model, const std::array<Rail, 3>& rails,
                       const Stations& stations, const Closure& closure);
 
-/// What hangs at the links that meet: a spindle, a nozzle.
+/// Ends of the platform elsewhere than where the legs meet: a spindle, a nozzle.
 std::vector<Beyond> linksBeyond(const Model& model, const Stations& stations, const Closure& closure);
 }  // namespace urdf_io
 }  // namespace pkm_workspace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "closure.h"
 #include "drawn_rails.h"
@@ -80,15 +79,15 @@ Eigen::Vector3d drawnZero(const Closure& closure)
   return mid(zero).unaryExpr([rounding](double x) { return std::abs(x) < rounding ? 0.0 : x; });
 }
 
-/// Where the struts meet at joint values 0, when that is where they are drawn, and nowhere else near.
+/// Where the struts meet at joint values 0, when that is where they are drawn, and the other place far away.
 Eigen::Vector3d assembledZero(const Machine& drawn, const Closure& closure, Problems& problems)
 {
   const auto zero = assemble(drawn, Eigen::Vector3d::Zero(), drawn.aspect());
-  const auto other = assemble(drawn, Eigen::Vector3d::Zero(), -drawn.aspect());
-  const auto distance = [&](const std::optional<Eigen::Vector3d>& p) {
-    return p ? (*p - drawn.zero()).norm() : std::numeric_limits<double>::infinity();
-  };
-  if (!(distance(zero) <= closure.allowed) || !(distance(other) > 2.0 * closure.allowed))
+  const auto both = assemblies(drawn, Eigen::Vector3d::Zero());
+  const auto distance = [&drawn](const Eigen::Vector3d& p) { return (p - drawn.zero()).norm(); };
+  const bool is_clear = zero && both && distance(*zero) <= closure.allowed &&
+                        std::max(distance((*both)[0]), distance((*both)[1])) > 2.0 * closure.allowed;
+  if (!is_clear)
     complain(problems, "the tcp frames of links ", tcpNames(closure), " are ", roundedText(closure.gap, 6),
              " m apart at zero, and the struts do not meet within ", roundedText(closure.allowed, 6),
              " m of where they are drawn in one place alone; expected a machine that is drawn assembled at joint "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 
+#include <cmath>
+
 #include "leg_places.h"
 #include "urdf_text.h"
 
@@ -50,6 +52,8 @@ public:
     {
       Origin beside = places_.parallelogram;
       beside.xyz += text_.inLink(numbered("knuckle"), sign * looks_.half_width);
+      if (places_.tower)  // turned there and back: rounding is no coordinate
+        beside.xyz = beside.xyz.unaryExpr([](double x) { return std::round(x * 1e9) / 1e9 + 0.0; });
       text_.branch(follower("parallelogram", 1.0, std::string("bar_joint_") + name, "knuckle",
                             std::string("bar_") + name, beside, places_.parallelogram_axis),
                    { looks_.bar });

@@ -236,13 +236,13 @@ class Largest(CommandTest):
         delta = str(DATA / "equal_homes.urdf")
         words = ("--shape", "disc", "--accuracy", 0.01)
         fitting = self.largest(delta, *words, "--psi", "auto")
-        self.assertEqual((fitting["psi_min"], fitting["psi_max"]), (0.26, 3.9))
-        self.assertEqual(fitting["size"], self.largest(delta, *words, "--psi-min", 0.26, "--psi-max", 3.9)["size"])
+        self.assertEqual((fitting["psi_min"], fitting["psi_max"]), (0.25, 3.9))
+        self.assertEqual(fitting["size"], self.largest(delta, *words, "--psi-min", 0.25, "--psi-max", 3.9)["size"])
         said = run("largest", "--urdf", delta, *words, "--psi", "auto").stderr
-        self.assertIn("pkm: note: psi in [0.26, 3.9]: about twice as wide as at the best point, (", said)
+        self.assertIn("pkm: note: psi in [0.25, 3.9]: about twice as wide as at the best point, (", said)
         said = run("largest", "--urdf", delta, *words).stderr
         self.assertIn("pkm: warning: the default bounds of psi, [0.5, 2], suit the paper's machines", said)
-        self.assertIn("the legs are drawn up to 0.000215 m apart at joint values 0 (allowed: 0.00269 m)", said)
+        self.assertIn("the legs are drawn up to 0.000323 m apart at joint values 0 (allowed: 0.00269 m)", said)
         self.assertEqual(run("largest", "--urdf", ORTHOGLIDE, "--accuracy", 0.1).stderr, "")
 
 

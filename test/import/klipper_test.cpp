@@ -66,10 +66,10 @@ TEST(Klipper, LimitsFollowFromTheFirmware_sMoves)
   {
     const double top = ends[i] + std::sqrt(arms[i] * arms[i] - radius * radius);
     const double bottom = -2 + std::sqrt(arms[i] * arms[i] - std::pow(radius + 110.0, 2));
-    EXPECT_GE(machine.legs[i].upper, top * 1e-3);
-    EXPECT_LE(machine.legs[i].upper, top * 1e-3 + 1.1e-6);
-    EXPECT_LE(machine.legs[i].lower, bottom * 1e-3);
-    EXPECT_GE(machine.legs[i].lower, bottom * 1e-3 - 1.1e-6);
+    EXPECT_LE(machine.legs[i].upper, top * 1e-3);
+    EXPECT_GE(machine.legs[i].upper, top * 1e-3 - 1.1e-6);
+    EXPECT_GE(machine.legs[i].lower, bottom * 1e-3);
+    EXPECT_LE(machine.legs[i].lower, bottom * 1e-3 + 1.1e-6);
     EXPECT_EQ(machine.legs[i].height, 0.0);
     EXPECT_EQ(machine.legs[i].working_mode, -1);
   }

@@ -44,8 +44,8 @@ inline void expectSwitches(const MachineDescription& machine, const MarlinNumber
   const MarlinNumbers::Three carriages = marlin(0, 0, home);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    EXPECT_GE(machine.legs[i].upper, (carriages[i] - adjustments[i]) * 1e-3);
-    EXPECT_LE(machine.legs[i].upper, (carriages[i] - adjustments[i]) * 1e-3 + 1.1e-6);
+    EXPECT_LE(machine.legs[i].upper, (carriages[i] - adjustments[i]) * 1e-3);
+    EXPECT_GE(machine.legs[i].upper, (carriages[i] - adjustments[i]) * 1e-3 - 1.1e-6);
   }
 }
 }  // namespace test

@@ -83,12 +83,12 @@ TEST(RepRapFirmware, SwitchesAreWhereTheFirmwareHomes)
   const double above[] = { -0.748, -0.006, 0.755 };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    EXPECT_GE(machine.legs[i].upper, (carriages[i] + above[i]) * 1e-3);
-    EXPECT_LE(machine.legs[i].upper, (carriages[i] + above[i]) * 1e-3 + 1.1e-6);
+    EXPECT_LE(machine.legs[i].upper, (carriages[i] + above[i]) * 1e-3);
+    EXPECT_GE(machine.legs[i].upper, (carriages[i] + above[i]) * 1e-3 - 1.1e-6);
     const double sunk = -0.5 - 110.0 * std::hypot(0.0011, 0.0008);
     const double lowest = sunk + std::sqrt(std::pow(REPRAP.rods[i], 2) - std::pow(130.246 + 110.0, 2));
-    EXPECT_LE(machine.legs[i].lower, lowest * 1e-3);
-    EXPECT_GE(machine.legs[i].lower, lowest * 1e-3 - 1.1e-6);
+    EXPECT_GE(machine.legs[i].lower, lowest * 1e-3);
+    EXPECT_LE(machine.legs[i].lower, lowest * 1e-3 + 1.1e-6);
   }
 }
 

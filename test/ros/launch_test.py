@@ -32,7 +32,7 @@ class LaunchTest(unittest.TestCase):
         region = rospy.wait_for_message(f"{NODE}/region", Region, PATIENCE)
         said = region.hypotheses
         self.assertEqual((said.machine, region.shape, said.joint_limits), ("linear_delta_cnc", Region.CYLINDER, False))
-        self.assertEqual((said.psi_min, said.psi_max, said.accuracy), (0.26, 3.9, 0.02))
+        self.assertEqual((said.psi_min, said.psi_max, said.accuracy), (0.25, 3.9, 0.02))
         self.assertEqual(region.header.frame_id, "world")
         height, radius = region.solid.dimensions
         self.assertAlmostEqual(height, radius, places=12)

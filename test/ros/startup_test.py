@@ -96,7 +96,7 @@ class StartupTest(unittest.TestCase):
         with NodeProcess(delta, {"time_limit": 1}) as node:
             node.wait_for_output("the default bounds of psi, [0.5, 2], suit the paper's machines; the middle of this")
             node.wait_for_output("the tool point is where the links 'tcp1', 'tcp2', 'tcp3' coincide at joint values 0, "
-                                 "the deepest that do; the legs are drawn up to 0.000215 m apart at joint values 0 "
+                                 "the deepest that do; the legs are drawn up to 0.000323 m apart at joint values 0 "
                                  "(allowed: 0.00269 m)")
 
     def test_bounds_that_fit_and_shapes_that_wait(self):
@@ -106,7 +106,7 @@ class StartupTest(unittest.TestCase):
             ask.wait_for_service(PATIENCE)
             cylinder = ask(query=RegionRequest(shape="cylinder", accuracy=0.05))
             self.assertEqual(cylinder.message, cylinder.region.message)
-            self.assertEqual((cylinder.region.hypotheses.psi_min, cylinder.region.hypotheses.psi_max), (0.26, 3.9))
+            self.assertEqual((cylinder.region.hypotheses.psi_min, cylinder.region.hypotheses.psi_max), (0.25, 3.9))
             height, radius = cylinder.region.solid.dimensions
             self.assertAlmostEqual(height, radius, places=12)
             box = ask(query=RegionRequest(shape="box", accuracy=0.05)).region.proportions
@@ -114,7 +114,7 @@ class StartupTest(unittest.TestCase):
             request = RegionRequest(shape="disc", accuracy=0.05)
             request.criterion.psi = CriterionRequest.AUTO
             disc = ask(query=request).region
-            self.assertEqual((disc.hypotheses.psi_min, disc.hypotheses.psi_max), (0.26, 3.9))
+            self.assertEqual((disc.hypotheses.psi_min, disc.hypotheses.psi_max), (0.25, 3.9))
             request.criterion.psi_min = 0.3
             self.assertIn("psi = AUTO chooses the bounds of a DEXTROUS set", ask(query=request).message)
             request.criterion.psi = 7

@@ -56,7 +56,7 @@ TEST(UnassembledZero, isWhereTheStrutsMeet)
   EXPECT_EQ(urdf.tool_point,
             "the tool point is where the links 'tcp1', 'tcp2', 'tcp3' coincide at joint values 0, the deepest that do");
   EXPECT_EQ(urdf.gap,
-            "the legs are drawn up to 0.000215 m apart at joint values 0 (allowed: 0.00269 m); the zero "
+            "the legs are drawn up to 0.000323 m apart at joint values 0 (allowed: 0.00269 m); the zero "
             "configuration is where the struts meet");
   EXPECT_TRUE(readUrdf(good()).gap.empty());
 }
@@ -82,6 +82,44 @@ TEST(UnassembledZero, isRefusedWhereTheLegsAreFarApart)
                 "assembled, or nearly");
   const std::string near = withJoint(good(), "tcp_joint_2", "xyz=\"0 0 0\"", "xyz=\"0 0 0.009\"");
   EXPECT_NO_THROW(readUrdf(near));
+}
+
+// Which links belong together must not be guessed: a plate and a tool point 5 mm apart, in a machine drawn 4 mm apart.
+TEST(UnassembledZero, isRefusedWhereLinksHaveTwoPartners)
+{
+  const std::string apart = withJoint(good(), "tcp_joint_2", "xyz=\"0 0 0\"", "xyz=\"0 0 0.004\"");
+  const std::string two = withElements(apart, branch("cover", "fixed", "tcp_2", "<origin xyz=\"0 0 0.005\"/>"));
+  expectRefused(two,
+                "link 'tcp_1' is drawn within 0.01 m of both '(tcp_2|cover)' and '(tcp_2|cover)', and coincides "
+                "with neither; name the three links of the tool point with tcp_links");
+  UrdfOptions options;
+  options.tcp_links = { "tcp_1", "tcp_2", "tcp_3" };
+  EXPECT_NO_THROW(readUrdf(two, options));
+}
+
+TEST(UnassembledZero, countsTheDistanceOfEveryTwoLegs)
+{
+  const std::string up = withJoint(good(), "tcp_joint_2", "xyz=\"0 0 0\"", "xyz=\"0 0 0.006\"");
+  expectRefused(withJoint(up, "tcp_joint_3", "xyz=\"0 0 0\"", "xyz=\"0 0 -0.006\""), "are 0.012 m apart at zero");
+}
+
+// Struts that lie nearly flat meet above and below, a millimetre or two apart: which one is drawn is no more than a
+// guess.
+TEST(UnassembledZero, isRefusedWhereTheOtherAssemblyIsNear)
+{
+  MachineDescription flat;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    flat.legs[i].joint = "rail_" + std::to_string(i + 1);
+    flat.legs[i].angle = 2.0 * M_PI / 3.0 * static_cast<double>(i);
+    flat.legs[i].radius = 0.1;
+    flat.legs[i].length = 0.100004;
+    flat.legs[i].upper = 0.1;
+  }
+  const std::string urdf = writeUrdf(flat);
+  EXPECT_NO_THROW(readUrdf(urdf));
+  expectRefused(withJoint(urdf, "tcp_joint_2", "xyz=\"0 0 0\"", "xyz=\"0 0 0.0003\""),
+                "the struts do not meet within 0.001\\S* m of where they are drawn in one place alone");
 }
 
 TEST(ToolLink, isTheToolPointWhenNamed)

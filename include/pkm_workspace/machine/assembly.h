@@ -14,6 +14,9 @@ namespace pkm_workspace
 /// @return the tool point [m] with the machine's working mode in every leg, or nothing where there is no such assembly
 std::optional<Eigen::Vector3d> assemble(const Machine& machine, const Eigen::Vector3d& rho, int aspect);
 
+/// Both tool points at which the struts meet [m], whatever the working modes; nothing where they do not.
+std::optional<std::array<Eigen::Vector3d, 2>> assemblies(const Machine& machine, const Eigen::Vector3d& rho);
+
 /// Where three spheres meet, in floating point (trilateration).
 /// @param centers one a column [m] @param radii [m] @return the two points [m], or nothing
 std::optional<std::array<Eigen::Vector3d, 2>> meetingPoints(const Eigen::Matrix3d& centers,

@@ -19,7 +19,8 @@
 namespace pkm_workspace
 {
 /// A goal of an action of the node. It ends when the node ends it, and LOST when the node itself ends. Thread-safe.
-/// Destroying it does not cancel the goal.
+/// Whether the node is there is looked at while waitForResult() waits. Destroying it does not cancel the goal. It must
+/// not outlive its Client.
 template <class Action>
 class Goal
 {
