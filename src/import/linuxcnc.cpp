@@ -113,6 +113,9 @@ bool addPins(const Source& source, Reading& reading)
       pins.read(includes.expand(otherLines(source, { entry.place, entry.key, name }, name, reading)));
     all = all && reading.left_aside.size() == left;
   }
+  for (const Entry& entry : entries)
+    if (entry.key == "HAL HALCMD")  // after the files, as LinuxCNC runs them
+      pins.read({ { entry.place, entry.text } });
   for (const Entry& pin : pins.values())
     reading.add({ pin.place, pin.key, substituted(pin.text, reading) });
   return all;
@@ -159,13 +162,13 @@ std::string linuxcncSection(const Entry& entry)
 {
   const std::string section = entry.key.substr(0, entry.key.find_last_of(' '));
   const bool is_told = startsWith(section, "JOINT_") || startsWith(section, "AXIS_") || section == "KINS" ||
-                       startsWith(entry.key, PINS) || entry.key == "HAL HALFILE";
+                       startsWith(entry.key, PINS) || entry.key == "HAL HALFILE" || entry.key == "HAL HALCMD";
   return is_told ? "" : "[" + section + "]";
 }
 
 std::string linuxcncReason(const Entry& entry)
 {
-  if (entry.key == "HAL HALFILE")
+  if (entry.key == "HAL HALFILE" || entry.key == "HAL HALCMD")
     return "read for the pins of lineardeltakins only";
   const bool is_tool = startsWith(entry.key, "AXIS_") && entry.key.find("_LIMIT") != std::string::npos;
   return is_tool ? "a limit of the tool, not of a carriage"

@@ -47,6 +47,15 @@ Carriages lineardeltakins(double l, double r, const std::array<double, 3>& offse
   };
 }
 
+TEST(LinuxCnc, CommandsOfTheIniFileCount)
+{
+  const std::string commands = "HALFILE = ldelta.hal\nHALCMD = setp lineardeltakins.R 100.0\nHALCMD = show";
+  const std::string text = edited(ini(), "HALFILE = ldelta.hal", commands);
+  const std::string unset = edited(sample("ldelta.hal"), "sets R 130.25", "#");
+  const std::string without = edited(unset, "net R lineardeltakins.R => lineardelta.R", "#");
+  EXPECT_EQ(importedWith(text, without).machine.legs[0].radius, 0.1);
+}
+
 TEST(LinuxCnc, IsTheFirmware_sMachine)
 {
   const FirmwareMachine machine =
