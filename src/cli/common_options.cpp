@@ -188,8 +188,7 @@ void declareCriterion(Options& options, Criterion& criterion, MachineOptions& ma
     else if (options.given("psi"))
       try
       {
-        criterion = withFittingBounds(machine.machine(), criterion);
-        machine.note(describe(*fittingBounds(machine.machine(), criterion)));
+        machine.note(describe(chooseBounds(machine.machine(), criterion)));
       }
       catch (const std::invalid_argument& reason)
       {

@@ -19,6 +19,9 @@ using Eigen::Vector3d;
 constexpr double ROOM = 2.0;
 /// Points to either side of the middle that the search looks at first, along each axis.
 constexpr int GRID = 5;
+/// A point is better by at least this share: less is rounding.
+constexpr double LEAST_GAIN = 1e-9;
+constexpr int MOST_MOVES = 1000;
 
 /// The middle of the travels as a tool point; the zero configuration where they have no ends or no such pose.
 Vector3d middleOf(const Machine& machine)
@@ -59,16 +62,17 @@ public:
   bool tryPoint(const Vector3d& p)
   {
     const auto psi = factorsAt(machine_, criterion_, p);
-    if (!psi || (best_ && spread(*psi) >= spread(best_->psi)))
+    if (!psi || (best_ && spread(*psi) >= (1.0 - LEAST_GAIN) * spread(best_->psi)))
       return false;
     best_ = FittingBounds{ p, *psi, 0.0, 0.0 };
     return true;
   }
 
-  /// Compass search: to the best neighbour, with a step that is halved where there is none.
+  /// Compass search: to better neighbours, with a step that is halved where there is none. Ends by counting at the
+  /// latest: where nothing changes along the rails, rounding could lead it on.
   void refine(double step, double least)
   {
-    while (best_ && step > least)
+    for (int moves = 0; best_ && step > least && moves < MOST_MOVES; ++moves)
     {
       bool better = false;
       for (int axis = 0; axis < 3; ++axis)
@@ -128,17 +132,16 @@ std::optional<FittingBounds> fittingBounds(const Machine& machine, const Criteri
   return bounds;
 }
 
-Criterion withFittingBounds(const Machine& machine, const Criterion& criterion)
+FittingBounds chooseBounds(const Machine& machine, Criterion& criterion)
 {
   const auto bounds = fittingBounds(machine, criterion);
   if (!bounds)
     throw std::invalid_argument(
         "no point of the machine was found for which bounds of the velocity transmission factors "
         "could be chosen; give them");
-  Criterion fitting = criterion;
-  fitting.psi_min = bounds->psi_min;
-  fitting.psi_max = bounds->psi_max;
-  return fitting;
+  criterion.psi_min = bounds->psi_min;
+  criterion.psi_max = bounds->psi_max;
+  return *bounds;
 }
 
 std::string describe(const FittingBounds& bounds)

@@ -41,7 +41,7 @@ struct LinearDelta
 void checkDelta(const LinearDelta& delta, Reading& reading);
 
 /// Joint limits that the controller does not have follow from the moves that it allows: from the carriage's lowest
-/// place to its switch, rounded outwards to the micrometre. @pre nothing was wrong
+/// place to its switch, rounded inwards to the micrometre. @pre nothing was wrong
 MachineDescription describe(const LinearDelta& delta, const std::string& name);
 }  // namespace firmware
 }  // namespace pkm_workspace

@@ -98,7 +98,7 @@ void choosePsi(const CriterionRequest& request, const Machine& machine, Criterio
   else
     try
     {
-      criterion = withFittingBounds(machine, criterion);
+      chooseBounds(machine, criterion);
     }
     catch (const std::invalid_argument& reason)
     {

@@ -44,8 +44,7 @@ void choosePsi(const Machine& machine, const Parameters& parameters, Criterion& 
 {
   if (parameters.psi == PsiChoice::AUTO)
   {
-    criterion = withFittingBounds(machine, criterion);
-    ROS_INFO_STREAM_NAMED("server", describe(*fittingBounds(machine, criterion)));
+    ROS_INFO_STREAM_NAMED("server", describe(chooseBounds(machine, criterion)));
   }
   else if (parameters.default_psi)
   {

@@ -162,26 +162,33 @@ void checkDistance(const Triple& triple, double allowed, Problems& problems)
   throwRefusal(problems);
 }
 
+/// Refuses a link that has two partners on one other leg within the distance allowed, in different places.
+void checkPartner(const Candidate& link, const std::vector<Candidate>& others, double allowed, double same,
+                  Problems& problems)
+{
+  const Candidate* partner = nullptr;
+  for (const Candidate& other : others)
+  {
+    if (!((other.point - link.point).norm() <= allowed))
+      continue;
+    if (partner != nullptr && !((other.point - partner->point).norm() <= same))
+    {
+      complain(problems, "at zero link '", link.station->link, "' is drawn within ", roundedText(allowed, 3),
+               " m of both '", partner->station->link, "' and '", other.station->link,
+               "', which differ; name the three links of the tool point with tcp_links");
+      throwRefusal(problems);
+    }
+    partner = &other;
+  }
+}
+
 /// Where links are drawn apart that are one point, each must have one partner alone on each other leg.
 void checkPartners(const Candidates& candidates, double allowed, double same, Problems& problems)
 {
-  for (const auto& leg : candidates)
-    for (const Candidate& link : leg)
-      for (const auto& others : candidates)
-      {
-        const Candidate* partner = nullptr;
-        for (const Candidate& other : others)
-        {
-          if (&others == &leg || !((other.point - link.point).norm() <= allowed))
-            continue;
-          if (partner != nullptr && !((other.point - partner->point).norm() <= same))
-            complain(problems, "at zero link '", link.station->link, "' is drawn within ", roundedText(allowed, 3),
-                     " m of both '", partner->station->link, "' and '", other.station->link,
-                     "', and coincides with neither; name the three links of the tool point with tcp_links");
-          partner = &other;
-        }
-      }
-  throwRefusal(problems);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const std::size_t other : { (i + 1) % 3, (i + 2) % 3 })
+      for (const Candidate& link : candidates[i])
+        checkPartner(link, candidates[other], allowed, same, problems);
 }
 
 /// How far links may be apart that count as one point: more than rounding where no triple comes that near.

@@ -37,6 +37,8 @@ struct Closure
   std::string named;     ///< the link of the tool point, where one was named
   std::vector<Beyond> beyond;
   double scale() const { return legs[0].geometry.length.upper(); }
+  /// Whether it is drawn assembled at zero, as far as the digits of a URDF go.
+  bool isDrawnAssembled() const { return gap <= urdf_tolerance::COINCIDE / urdf_tolerance::GAP * allowed; }
 };
 
 /// Closes the loops: finds one link on each leg's platform so that the three coincide at zero, or nearly. Of several

@@ -8,6 +8,7 @@
 #include "drawn_rails.h"
 #include "number_text.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/machine/assembly.h"
 #include "reader_warnings.h"
 #include "refusal.h"
@@ -80,19 +81,29 @@ Eigen::Vector3d drawnZero(const Closure& closure)
 }
 
 /// Where the struts meet at joint values 0, when that is where they are drawn, and the other place far away.
-Eigen::Vector3d assembledZero(const Machine& drawn, const Closure& closure, Problems& problems)
+std::optional<Eigen::Vector3d> assembledZero(const Machine& drawn, const Closure& closure)
 {
   const auto zero = assemble(drawn, Eigen::Vector3d::Zero(), drawn.aspect());
   const auto both = assemblies(drawn, Eigen::Vector3d::Zero());
   const auto distance = [&drawn](const Eigen::Vector3d& p) { return (p - drawn.zero()).norm(); };
   const bool is_clear = zero && both && distance(*zero) <= closure.allowed &&
                         std::max(distance((*both)[0]), distance((*both)[1])) > 2.0 * closure.allowed;
-  if (!is_clear)
-    complain(problems, "the tcp frames of links ", tcpNames(closure), " are ", roundedText(closure.gap, 6),
-             " m apart at zero, and the struts do not meet within ", roundedText(closure.allowed, 6),
-             " m of where they are drawn in one place alone; expected a machine that is drawn assembled at joint "
-             "values 0");
-  return zero.value_or(drawn.zero());
+  return is_clear ? zero : std::nullopt;
+}
+
+Machine machineAt(const Eigen::Vector3d& zero, const std::string& name, const Machine::Legs& legs)
+{
+  Problems problems;
+  try
+  {
+    return Machine(name, legs, zero);
+  }
+  catch (const std::invalid_argument& exception)
+  {
+    complain(problems, exception.what());
+    throwRefusal(problems);
+    throw;
+  }
 }
 
 Machine makeMachine(const Model& model, const Rails& rails, const Closure& closure)
@@ -103,23 +114,18 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
     legs[i] = machineLeg(rails[i], closure.legs[i], closure.tool);
-  try
-  {
-    const Machine drawn(model.tree->getName(), legs, drawnZero(closure));
-    if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
-      return drawn;
-    const Eigen::Vector3d zero = assembledZero(drawn, closure, problems);
-    throwRefusal(problems);
-    return Machine(drawn.name(), legs, zero);
-  }
-  catch (const std::invalid_argument& exception)
-  {
-    if (!problems.empty())
-      throw;
-    complain(problems, exception.what());
-    throwRefusal(problems);
-    throw;
-  }
+  const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);
+  if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
+    return drawn;
+  if (const auto zero = assembledZero(drawn, closure))
+    return machineAt(*zero, drawn.name(), legs);
+  if (!closure.isDrawnAssembled())
+    complain(problems, "the tcp frames of links ", tcpNames(closure), " are ", roundedText(closure.gap, 6),
+             " m apart at zero, and the struts do not meet within ", roundedText(closure.allowed, 6),
+             " m of where they are drawn in one place alone; expected a machine that is drawn assembled at joint "
+             "values 0");
+  throwRefusal(problems);
+  return drawn;
 }
 
 /// Which link is the tool point, and why.
@@ -134,13 +140,14 @@ std::string toolPointOf(const Closure& closure, const UrdfOptions& options)
 }
 
 /// How the loops close that are not drawn closed.
-std::string gapOf(const Closure& closure)
+std::string gapOf(const Closure& closure, const Machine& machine)
 {
-  return closure.gap > DRAWN_ASSEMBLED * closure.scale()
-             ? "the legs are drawn up to " + roundedText(closure.gap, 3) +
-                   " m apart at joint values 0 (allowed: " + roundedText(closure.allowed, 3) +
-                   " m); the zero configuration is where the struts meet"
-             : "";
+  if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
+    return "";
+  const bool is_drawn = machine.zero() == drawnZero(closure);
+  return "the legs are drawn up to " + significantAbove(closure.gap, 3) +
+         " m apart at joint values 0 (allowed: " + roundedText(closure.allowed, 3) + " m); the zero configuration is " +
+         (is_drawn ? "as the first leg is drawn" : "where the struts meet");
 }
 
 StrutHinges hingesOf(const Rail& rail, const ClosedLeg& leg)
@@ -210,7 +217,7 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   }
   urdf.followers = followersIn(model, rails, legs);
   urdf.tool_point = toolPointOf(closure, options);
-  urdf.gap = gapOf(closure);
+  urdf.gap = gapOf(closure, urdf.machine);
   urdf.warnings = warningsAbout(model, rails, closure);
   urdf.moved_links = movedLinks(model);
   return urdf;

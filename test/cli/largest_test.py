@@ -242,7 +242,7 @@ class Largest(CommandTest):
         self.assertIn("pkm: note: psi in [0.25, 3.9]: about twice as wide as at the best point, (", said)
         said = run("largest", "--urdf", delta, *words).stderr
         self.assertIn("pkm: warning: the default bounds of psi, [0.5, 2], suit the paper's machines", said)
-        self.assertIn("the legs are drawn up to 0.000323 m apart at joint values 0 (allowed: 0.00269 m)", said)
+        self.assertIn("the legs are drawn up to 0.000324 m apart at joint values 0 (allowed: 0.00269 m)", said)
         self.assertEqual(run("largest", "--urdf", ORTHOGLIDE, "--accuracy", 0.1).stderr, "")
 
 

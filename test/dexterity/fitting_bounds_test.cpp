@@ -45,7 +45,9 @@ TEST(FittingBounds, ofALinearDeltaHoldInItsMiddle)
   EXPECT_NEAR(bounds->psi_max, 2.0 * std::max(bounds->psi[2], 1.0 / bounds->psi[0]), 0.1);
   EXPECT_LE(bounds->psi_min * bounds->psi_max, 1.0 + 1e-12);
   EXPECT_GT(bounds->psi_min * bounds->psi_max, 0.95);
-  EXPECT_EQ(remarkOnDefaultBounds(delta, withFittingBounds(delta, defaultCriterion()), "--psi auto"), "");
+  Criterion fitting = defaultCriterion();
+  EXPECT_EQ(chooseBounds(delta, fitting).psi_max, fitting.psi_max);
+  EXPECT_EQ(remarkOnDefaultBounds(delta, fitting, "--psi auto"), "");
   const std::string remark = remarkOnDefaultBounds(delta, defaultCriterion(), "--psi auto");
   EXPECT_NE(remark.find("the default bounds of psi, [0.5, 2], suit the paper's machines; the middle of this one, "),
             std::string::npos)

@@ -96,7 +96,7 @@ class StartupTest(unittest.TestCase):
         with NodeProcess(delta, {"time_limit": 1}) as node:
             node.wait_for_output("the default bounds of psi, [0.5, 2], suit the paper's machines; the middle of this")
             node.wait_for_output("the tool point is where the links 'tcp1', 'tcp2', 'tcp3' coincide at joint values 0, "
-                                 "the deepest that do; the legs are drawn up to 0.000323 m apart at joint values 0 "
+                                 "the deepest that do; the legs are drawn up to 0.000324 m apart at joint values 0 "
                                  "(allowed: 0.00269 m)")
 
     def test_bounds_that_fit_and_shapes_that_wait(self):

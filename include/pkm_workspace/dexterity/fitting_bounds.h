@@ -23,8 +23,8 @@ struct FittingBounds
 /// @param criterion whose aspect and joint limits count @return nothing where no point of the set was found
 std::optional<FittingBounds> fittingBounds(const Machine& machine, const Criterion& criterion);
 
-/// The criterion with these bounds. @throws std::invalid_argument where there are none
-Criterion withFittingBounds(const Machine& machine, const Criterion& criterion);
+/// Sets them. @return what was chosen @throws std::invalid_argument where there are none
+FittingBounds chooseBounds(const Machine& machine, Criterion& criterion);
 
 /// "psi in [0.24, 4.1]: twice as wide as at the best point, (0, 0, 0.3) m, where the factors are 0.49 to 1.73".
 std::string describe(const FittingBounds& bounds);
