@@ -18,6 +18,11 @@ void validateLeg(const Leg& leg, const std::string& place, Problems& problems)
   visitLeg([&](const auto& kind) { validate(kind, place, problems); }, leg.kind);
   if (leg.limits.isEmpty())
     complain(problems, place, ": the joint limits leave no value");
+  const std::pair<double, const char*> drive[] = { { leg.speed, "speed" }, { leg.effort, "effort" } };
+  for (const auto& [most, what] : drive)
+    if (!(most > 0.0))
+      complain(problems, place, ": the largest ", what, " of its motor = ", most, ", expected more than 0 (",
+               what == drive[0].second ? "m/s" : "N", "), or infinity where none is known");
 }
 
 void throwRefusal(const std::string& machine, const Problems& problems)

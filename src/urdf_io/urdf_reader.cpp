@@ -45,7 +45,10 @@ Leg machineLeg(const Rail& rail, const ClosedLeg& closed, const IntervalVector& 
   strut.platform = rail.slider.rotation * closed.geometry.platform - tool;
   strut.length = closed.geometry.length;
   strut.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
-  return { rail.joint->name, Interval(rail.joint->limits->lower, rail.joint->limits->upper), strut };
+  const urdf::JointLimits& limits = *rail.joint->limits;
+  const auto known = [](double most) { return most > 0.0 ? most : INF; };  // many files have 0 where nothing is known
+  return { rail.joint->name, Interval(limits.lower, limits.upper), strut, known(limits.velocity),
+           known(limits.effort) };
 }
 
 /// The zero configuration has to show the working mode and the aspect beyond doubt.

@@ -23,6 +23,8 @@ struct Leg
   std::string joint = "";                ///< name of the actuated joint
   Interval limits = Interval::entire();  ///< values that it may take [m]
   LegKind kind = SlidingStrut();
+  double speed = INF;   ///< the largest |qdot| that its motor is known to reach [m/s]; INF where none is known
+  double effort = INF;  ///< the largest force of its motor [N]; INF where none is known
 };
 
 /// Calls the function with the leg as what it is. As std::visit(), whose exception must not be compiled for one
