@@ -71,7 +71,10 @@ def turn(start, center, axis, angle, lift=0.0):
 
 def read_value(message, name, value):
     """The value as the field of a message has it."""
-    kind = TRIPLES.get(dict(zip(message.__slots__, message._slot_types))[name])
+    slot = dict(zip(message.__slots__, message._slot_types))[name]
+    if slot == "float64[]" and isinstance(value, (int, float)):
+        return [value]
+    kind = TRIPLES.get(slot)
     if kind and not isinstance(value, kind):
         return kind(*value)
     if name == "joint_limits" and isinstance(value, bool):
@@ -225,7 +228,8 @@ class Client:
         return self.check_path([line(*ends) for ends in zip(points, points[1:])], frame, criterion, **fields)
 
     def check_path(self, segments, frame="", criterion=None, **fields):
-        """The same for lines, arcs and helices: line(), arc(), turn(). Its keywords: tool_speed [m/s]."""
+        """The same for lines, arcs and helices: line(), arc(), turn(). Its keywords: tool_speed [m/s], joint_acceleration_max (one
+        number or three [m/s^2]), joint_speeds_off, largest_feed."""
         return self.call("check_path", CheckPath,
                          fill(CheckPathRequest(segments=segments), criterion, frame, **fields))
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <deque>
-#include <variant>
 
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
+#include "path_answer.h"
 #include "path_text.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/tasks/path.h"
@@ -16,48 +16,11 @@ namespace cli
 {
 namespace
 {
-Json motionJson(const PathMotion& motion)
-{
-  return { { "psi", toJson(motion.psi) },
-           { "rho", toJson(motion.joint) },
-           { "joint_speed", { motion.joint_speed[0], motion.joint_speed[1], motion.joint_speed[2] } } };
-}
-
 const char* endName(PathResult::End end)
 {
   constexpr const char* NAMES[] = { "complete", "looks", "stopped" };  // as PathResult::End
   return NAMES[static_cast<std::size_t>(end)];
 }
-
-/// A SegmentCheck in few bytes: a path may have millions of them.
-class KeptCheck
-{
-public:
-  explicit KeptCheck(const SegmentCheck& check)
-  {
-    if (check.motion)
-      found_ = *check.motion;
-    else
-      found_ = Open{ check.verdict, check.good_until, check.bad_at };
-  }
-
-  SegmentCheck check() const
-  {
-    if (const auto* const motion = std::get_if<PathMotion>(&found_))
-      return { Containment::INSIDE, 1.0, std::nullopt, *motion };
-    const Open& open = std::get<Open>(found_);
-    return { open.verdict, open.good_until, open.bad_at, std::nullopt };
-  }
-
-private:
-  struct Open
-  {
-    Containment verdict;
-    double good_until;
-    std::optional<double> bad_at;
-  };
-  std::variant<PathMotion, Open> found_;
-};
 
 class Path : public Command
 {
@@ -66,8 +29,13 @@ public:
   {
     return "Tells whether every point of a path is dextrous: inside, outside or undecided, for the path and each of "
            "its segments; where it first offends, and which condition binds there; and over the whole path bounds of "
-           "the velocity transmission factors, of the joint values, and of the joint speeds at the tool's speed. All "
-           "of this is proved, and there is no tolerance. A path is written in lines: " +
+           "the velocity transmission factors, of the joint values, and of the joint speeds at the tool's speed. With "
+           "a tool speed the joints have to keep within their limits too: joint speeds within the velocity of the "
+           "URDF, "
+           "accelerations at that constant speed within those given; and the largest feed is told, for the path and "
+           "each "
+           "segment. Where segments meet at an angle, nothing is said of the turn. All of this is proved, and there is "
+           "no tolerance. A path is written in lines: " +
            std::string(PATH_GRAMMAR) + ".";
   }
 
@@ -88,8 +56,7 @@ public:
       path_.read(words[0], problems);
       throwProblems(problems);
     });
-    options.number("tool-speed", task_.query.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
-                   "speed of the tool along the path");
+    declareRates(options);
     options.count("max-looks", task_.query.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
@@ -108,28 +75,50 @@ public:
     const PathResult& result = report.result;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
-    json["tool_speed"] = task_.query.tool_speed;
+    json["tool_speed"] = report.query.tool_speed;
     json["looks"] = result.looks;
     json["end"] = endName(result.end);
     json["first"] = result.first ? firstOf(result) : Json();
     json["motion"] = result.motion ? motionJson(*result.motion) : Json();
     if (result.motion)
       addLimits(machine, criterion_, report.reaches, json);
+    if (result.rates)
+      json["rates"] = ratesOf(report);
     json["message"] = report.message;
     Answer answer{ json, print(report) };
     answer.long_members["segments"] = [this](std::ostream& out) {
       writeList(
-          checks_.size(), [this](std::size_t i) { return segmentOf(checks_[i].check(), path_.place(i)); }, 2, out);
+          checks_.size(), [this](std::size_t i) { return segmentOf(i); }, 2, out);
     };
     return answer;
   }
 
 private:
+  void declareRates(Options& options)
+  {
+    PathRatesTask& rates = task_.rates;
+    options.number("tool-speed", rates.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
+                   "constant speed of the tool along the path, at which the joints have to keep within their limits; "
+                   "without it, joint speeds are those for 1 m/s and are held against nothing");
+    options.flag("largest-feed", rates.largest_feed, "tell the largest feed without a tool speed, too");
+    options.flag("joint-speeds-off", rates.joint_speeds_off, "leave the velocity of the URDF aside");
+    options.legs("joint-acceleration-max", "A", "largest acceleration of a joint [m/s^2], > 0; without it, any",
+                 [&rates](const Words& words) {
+                   rates.joint_acceleration_max = readNumbers(words, Quantity{ "m/s^2", 0.0, false });
+                 });
+    options.check({ "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max" },
+                  [&rates](Problems& problems) { rates.validate(problems); });
+  }
+
   PathReport check()
   {
     task_.query.stop = stopOnSignalOrAfter(time_limit_);
     task_.for_each = [this](const auto& use) { path_.handOver(use); };
-    task_.tell = [this](const SegmentCheck& check) { checks_.emplace_back(check); };
+    task_.tell = [this](const SegmentCheck& check) {
+      checks_.emplace_back(check);
+      if (check.rates)
+        rates_.push_back(*check.rates);
+    };
     task_.place = [this](std::size_t segment) { return path_.place(segment); };
     task_.stopped_by = [this] { return stoppedBy(time_limit_); };
     const PointEvaluator evaluator(machine_.machine(), criterion_);
@@ -150,18 +139,27 @@ private:
           std::string("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least"));
   }
 
-  static Json segmentOf(const SegmentCheck& check, const std::string& place)
+  Json segmentOf(std::size_t segment) const
   {
-    return { { "place", place },
-             { "verdict", name(check.verdict) },
-             { "good_until", check.good_until },
-             { "bad_at", check.bad_at ? Json(*check.bad_at) : Json() },
-             { "motion", check.motion ? motionJson(*check.motion) : Json() } };
+    Json json = segmentJson(checks_[segment].check(), path_.place(segment));
+    if (!rates_.empty())
+      json["rates"] = ratesJson(rates_[segment], machine_.machine());
+    return json;
+  }
+
+  /// Over the whole path, with what the joints were held against.
+  Json ratesOf(const PathReport& report) const
+  {
+    Json json = ratesJson(*report.result.rates, machine_.machine());
+    json["joint_speed_max"] = limitsJson(report.query.limits.speed);
+    json["joint_acceleration_max"] = limitsJson(report.query.limits.acceleration);
+    json["slowest_segment"] = report.result.slowest;
+    return json;
   }
 
   Json firstOf(const PathResult& result) const
   {
-    Json json = segmentOf(checks_[result.first->segment].check(), path_.place(result.first->segment));
+    Json json = segmentJson(checks_[result.first->segment].check(), path_.place(result.first->segment));
     json.erase("motion");
     json["open"] = Json::array();
     for (const PathPart& part : result.first->open)
@@ -177,24 +175,13 @@ private:
     const PathResult& result = report.result;
     std::vector<Words> rows = { { "verdict", name(result.verdict) } };
     if (result.motion)
-      addMotion(*result.motion, rows);
+      addMotion(*result.motion, machine_.machine(), rows);
+    if (result.rates)
+      addRates(*result.rates, machine_.machine(), rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
     return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) +
            (checks_.size() == 1 ? " segment" : " segments") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
            wrapped(report.message) + wrapped(definition(machine_.machine(), criterion_));
-  }
-
-  /// The factors are those of the machine, the rest is told leg by leg.
-  void addMotion(const PathMotion& motion, std::vector<Words>& rows) const
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      rows.push_back({ "psi " + std::to_string(i + 1), bracket(motion.psi[i].lower(), motion.psi[i].upper()) });
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::string joint = "'" + machine_.machine().legs()[i].joint + "'";
-      rows.push_back({ "rho of " + joint, bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
-      rows.push_back({ "speed of " + joint, "up to " + significantAbove(motion.joint_speed[i], 6) + " m/s" });
-    }
   }
 
   MachineOptions machine_;
@@ -205,6 +192,7 @@ private:
   double time_limit_;
   bool progress_ = false;
   std::deque<KeptCheck> checks_;  ///< one for each segment
+  std::deque<PathRates> rates_;   ///< the same, where they are asked for
 };
 }  // namespace
 

@@ -59,6 +59,8 @@ public:
   }
 
   void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const override;
+  void rates(const CurvePiece* pieces, const SkewBox<double>* curvatures, std::size_t count,
+             PieceRates* rates) const override;
 
   void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets, std::size_t count,
                       NecessaryForms* results, FormOrigin* origins) const override

@@ -70,14 +70,14 @@ inline AffineForm<double> laneOf(const AffineForm<Real>& form, int lane)
            form.radius[lane] };
 }
 
-/// One of the boxes of each piece.
-template <class Real>
-inline SkewBox<Real> gather(const CurvePiece* pieces, SkewBox<double> CurvePiece::*box, std::size_t count)
+/// Boxes side by side. @param box that of an index
+template <class Real, class BoxOf>
+inline SkewBox<Real> gatherBoxes(const BoxOf& box, std::size_t count)
 {
   double numbers[13][Real::WIDTH];
   for (std::size_t lane = 0; lane < Real::WIDTH; ++lane)
   {
-    const SkewBox<double>& from = pieces[lane < count ? lane : count - 1].*box;
+    const SkewBox<double>& from = box(lane < count ? lane : count - 1);
     for (std::size_t k = 0; k < 3; ++k)
     {
       numbers[k][lane] = from.center[k];
@@ -95,6 +95,18 @@ inline SkewBox<Real> gather(const CurvePiece* pieces, SkewBox<double> CurvePiece
   }
   result.slack = Real::load(numbers[12]);
   return result;
+}
+
+/// One of the boxes of each piece.
+template <class Real>
+inline SkewBox<Real> gather(const CurvePiece* pieces, SkewBox<double> CurvePiece::*box, std::size_t count)
+{
+  return gatherBoxes<Real>([=](std::size_t k) -> const SkewBox<double>& { return pieces[k].*box; }, count);
+}
+template <class Real>
+inline SkewBox<Real> gather(const SkewBox<double>* boxes, std::size_t count)
+{
+  return gatherBoxes<Real>([=](std::size_t k) -> const SkewBox<double>& { return boxes[k]; }, count);
 }
 
 /// Form by form.

@@ -27,4 +27,19 @@ void PackKernel<Real>::look(const CurvePiece* pieces, std::size_t count, BoxVerd
               motions + first, rest);
   }
 }
+
+template <class Real>
+void PackKernel<Real>::rates(const CurvePiece* pieces, const SkewBox<double>* curvatures, std::size_t count,
+                             PieceRates* rates) const
+{
+  const WideRegisters<Real> wide;
+  for (std::size_t first = 0; first < count; first += W)
+  {
+    const std::size_t rest = count - first;
+    const MachineForms<Real> forms = model_.legs().evaluate(gather<Real>(pieces + first, &CurvePiece::points, rest));
+    const SkewBox<Real> tangents = gather<Real>(pieces + first, &CurvePiece::tangents, rest);
+    scatter(ratesOver(model_.legs(), forms, asVector(tangents), asVector(gather<Real>(curvatures + first, rest))),
+            rates + first, rest);
+  }
+}
 }  // namespace pkm_workspace

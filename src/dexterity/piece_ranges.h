@@ -63,28 +63,57 @@ inline std::array<Span<Real>, 3> factorsOver(const LegModels<Real>& legs, const 
   return psi;
 }
 
-/// A bound on |f / g| over the cube, where g has one sign there: |f / g - r| <= max |f - r g| / min |g|, for any r.
+/// What |f / g| lies in over the cube, where g has one sign there: |f / g - r| <= max |f - r g| / min |g|, for any r.
 template <class Real>
-inline Real largestQuotient(const AffineForm<Real>& f, const AffineForm<Real>& g)
+struct Quotient
 {
-  using std::abs;
+  Real ratio;             ///< r
+  AffineForm<Real> rest;  ///< f - r g
+  Real distance;          ///< max |f - r g| / min |g|
+  MaskOf<Real> exists;    ///< where g is proved to have one sign
+
+  Quotient(const AffineForm<Real>& f, const AffineForm<Real>& g)
+    : ratio(f.center / g.center), rest(f + Enclosed<Real>(-ratio, Real(0)) * g)
+  {
+    using std::max;
+    const Real least = max(g.lower(), -g.upper());
+    distance = max(rest.upper(), -rest.lower()) / least;
+    exists = least > Real(0);
+  }
+
+  Real largest() const
+  {
+    using std::abs;
+    const Real bound = abs(ratio) + distance;
+    return select(exists, bound + pencil::noise(bound), Real(INF));
+  }
+  Real least() const
+  {
+    using std::abs;
+    using std::max;
+    const Real bound = abs(ratio) - distance - pencil::noise(abs(ratio) + distance);
+    return select(exists, max(bound, Real(0)), Real(0));
+  }
+};
+
+/// Where all b_i^2 are proved to be above their floors, and positive, on the whole piece.
+template <class Real>
+inline MaskOf<Real> reachesAll(const LegModels<Real>& legs, const MachineForms<Real>& forms)
+{
   using std::max;
-  const Real ratio = f.center / g.center;
-  const AffineForm<Real> rest = f + Enclosed<Real>(-ratio, Real(0)) * g;
-  const Real least = max(g.lower(), -g.upper());
-  const Real bound = abs(ratio) + max(rest.upper(), -rest.lower()) / least;
-  return select(least > Real(0), bound + pencil::noise(bound), Real(std::numeric_limits<double>::infinity()));
+  MaskOf<Real> reaches = Real(1.0) > Real(0.0);
+  for (std::size_t i = 0; i < 3; ++i)
+    reaches = reaches & (forms.legs[i].squared_drive.lower() > max(legs.floor(i), Real(0.0)));
+  return reaches;
 }
 
-/// All numbers where a b_i^2 is not proved to be above its floor, and positive, on the whole piece.
+/// All numbers where not all legs are proved to reach.
 template <class Real>
 inline PieceRanges<Real> rangesOver(const LegModels<Real>& legs, const MachineForms<Real>& forms,
                                     const SkewBox<Real>& points, const SkewBox<Real>& tangent)
 {
-  const Real infinite(std::numeric_limits<double>::infinity());
-  MaskOf<Real> reaches = Real(1.0) > Real(0.0);
-  for (std::size_t i = 0; i < 3; ++i)
-    reaches = reaches & (forms.legs[i].squared_drive.lower() > max(legs.floor(i), Real(0.0)));
+  const Real infinite(INF);
+  const MaskOf<Real> reaches = reachesAll(legs, forms);
   PieceRanges<Real> ranges;
   ranges.psi = factorsOver(legs, forms);
   const AffineVector<Real> direction = asVector(tangent);
@@ -94,9 +123,42 @@ inline PieceRanges<Real> rangesOver(const LegModels<Real>& legs, const MachineFo
     ranges.psi[i] = { select(reaches, ranges.psi[i].lower, Real(0.0)), select(reaches, ranges.psi[i].upper, infinite) };
     ranges.joint[i] = { select(reaches, rho.lower(), -infinite), select(reaches, rho.upper(), infinite) };
     ranges.speed[i] =
-        select(reaches, largestQuotient(dot(forms.legs[i].row, direction), forms.legs[i].drive), infinite);
+        select(reaches, Quotient<Real>(dot(forms.legs[i].row, direction), forms.legs[i].drive).largest(), infinite);
   }
   return ranges;
+}
+
+template <class Real>
+struct JointRates
+{
+  std::array<Span<Real>, 3> speed;         ///< |q_i'|
+  std::array<Span<Real>, 3> acceleration;  ///< |q_i''| [1/m]
+};
+
+/// Encloses q' = n . t / b, q'' = (n' . t - b' q' + n . k) / b for the tangent t and the curvature k (docs/theory.md).
+template <class Real>
+inline JointRates<Real> ratesOver(const LegModels<Real>& legs, const MachineForms<Real>& forms,
+                                  const AffineVector<Real>& tangent, const AffineVector<Real>& curvature)
+{
+  const MaskOf<Real> reaches = reachesAll(legs, forms);
+  const auto magnitude = [&reaches](const Quotient<Real>& x) {
+    return Span<Real>{ select(reaches, x.least(), Real(0.0)), select(reaches, x.largest(), Real(INF)) };
+  };
+  JointRates<Real> rates;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const AffineVector<Real>& row = forms.legs[i].row;
+    const AffineForm<Real>& drive = forms.legs[i].drive;
+    const Quotient<Real> speed(dot(row, tangent), drive);
+    const MaskOf<Real> turned = drive.center < Real(0.0);
+    const AffineForm<Real> quotient =
+        select(turned, -speed.rest, speed.rest) * inverseOf(select(turned, -drive, drive)) +
+        Enclosed<Real>(speed.ratio, Real(0));
+    const AffineForm<Real> force = legs.turning(i, tangent, quotient) + dot(row, curvature);
+    rates.speed[i] = magnitude(speed);
+    rates.acceleration[i] = magnitude({ force, drive });
+  }
+  return rates;
 }
 
 template <class Real>
@@ -109,6 +171,18 @@ inline void scatter(const PieceRanges<Real>& ranges, PieceMotion* motions, std::
       motions[lane].psi[i] = { ranges.psi[i].lower.below(k), ranges.psi[i].upper.above(k) };
       motions[lane].joint[i] = { ranges.joint[i].lower.below(k), ranges.joint[i].upper.above(k) };
       motions[lane].speed[i] = ranges.speed[i].above(k);
+    }
+}
+
+template <class Real>
+inline void scatter(const JointRates<Real>& found, PieceRates* rates, std::size_t count)
+{
+  for (std::size_t lane = 0; lane < Real::WIDTH && lane < count; ++lane)
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const int k = static_cast<int>(lane);
+      rates[lane].speed[i] = { found.speed[i].lower.below(k), found.speed[i].upper.above(k) };
+      rates[lane].acceleration[i] = { found.acceleration[i].lower.below(k), found.acceleration[i].upper.above(k) };
     }
 }
 }  // namespace pkm_workspace

@@ -108,6 +108,8 @@ std::vector<Limit> jointLimits(const Machine& machine, const std::array<Interval
 std::string name(Limit::Kind kind)
 {
   constexpr const char* NAMES[] = { "reach", "joint_lower", "joint_upper", "aspect" };
+  if (isRate(kind))
+    return kind == Kind::JOINT_SPEED ? "joint_speed_max" : "joint_acceleration_max";
   const CriterionBound* const bound = boundOf(kind);
   return bound == nullptr ? NAMES[static_cast<int>(kind)] : bound->name;
 }

@@ -126,10 +126,14 @@ Curve::Turn::Turn(const Interval& angle, const Interval& half_angle) : middle(an
   bend = affine::widened(b * b * b / 15.0, b * b * b, 8);  // 9 sqrt 3 > 15
 }
 
+Curve::Middle::Middle(double first, double last)
+  : t(0.5 * first + 0.5 * last)
+  , h(std::max((Interval(last) - Interval(t)).upper(), (Interval(t) - Interval(first)).upper()))
+{}
+
 CurvePiece Curve::piece(double first, double last) const
 {
-  const double t = 0.5 * first + 0.5 * last;
-  const double h = std::max((Interval(last) - Interval(t)).upper(), (Interval(t) - Interval(first)).upper());
+  const auto [t, h] = Middle(first, last);
   return angle_ == Interval(0.0) ? straightPiece(t, h) : turningPiece(t, h);
 }
 
@@ -169,6 +173,30 @@ CurvePiece Curve::turningPiece(double t, double h) const
         piece.tangents);
   }
   return piece;
+}
+
+/// Inward, with the square of what the direction turns.
+SkewBox<double> Curve::curvatures(double first, double last) const
+{
+  SkewBox<double> box{};
+  if (angle_ == Interval(0.0))
+    return box;
+  if (!length_.certainlyPositive() && length_.upper() > 0.0)
+  {
+    box.slack = INF;
+    return box;
+  }
+  const auto [t, h] = Middle(first, last);
+  const Turn turn(angle_ * Interval(t), angle_ * Interval(h));
+  const Number bend(turn.bend, 0.0);
+  const Number inward = -(turning_ * turning_);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Number radius = inward * (turn.middle.cosine * number(u_, k) + turn.middle.sine * number(w_, k));
+    const Number tangent = inward * (turn.middle.cosine * number(w_, k) + -(turn.middle.sine * number(u_, k)));
+    put(k, turn.center * radius, turn.along * tangent, turn.radial * radius, bend * tangent, box);
+  }
+  return box;
 }
 
 IntervalVector Curve::point(double t) const

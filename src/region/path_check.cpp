@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rate_search.h"
 #include "segment_proof.h"
 
 namespace pkm_workspace
@@ -54,6 +55,8 @@ public:
     checkOpen();
     if (result_.verdict == Containment::INSIDE && done_ > 0)
       result_.motion = asPathMotion(motion_, query_.tool_speed);
+    if (query_.wants_rates)
+      result_.rates = rates_;
     result_.looks = looks_.count();
     result_.end = looks_.end();
     return std::move(result_);
@@ -80,12 +83,18 @@ private:
     open_.clear();
   }
 
+  /// How many pieces the curve has at first.
+  double piecesOf(const Curve& curve) const
+  {
+    const double longest = LONGEST_PIECE * evaluator_.machine().scale();
+    const double wanted = std::max(curve.length().upper() / longest, curve.angle().magnitude() / LARGEST_ANGLE);
+    return std::max(1.0, std::min(MOST_PIECES, std::ceil(wanted)));
+  }
+
   void addPieces(std::size_t index)
   {
     const Curve& curve = open_[index].segment.curve();
-    const double longest = LONGEST_PIECE * evaluator_.machine().scale();
-    const double wanted = std::max(curve.length().upper() / longest, curve.angle().magnitude() / LARGEST_ANGLE);
-    const double parts = std::max(1.0, std::min(MOST_PIECES, std::ceil(wanted)));
+    const double parts = piecesOf(curve);
     looks_.allowFor(static_cast<std::int64_t>(parts));
     if (looks_.isOver())
     {
@@ -95,7 +104,7 @@ private:
     for (double k = 0.0; k < parts; k += 1.0)
     {
       owner_[count_] = index;
-      pieces_[count_] = curve.piece(k / parts, (k + 1.0) / parts);
+      pieces_[count_] = { &curve, k / parts, (k + 1.0) / parts };
       if (++count_ == BATCH)
         flush();
     }
@@ -135,7 +144,17 @@ private:
     }
     else
       offend(open.segment, check, parts);
+    if (query_.wants_rates)
+      addRates(open.segment.curve(), check);
     tell_(check);
+  }
+
+  void addRates(const Curve& curve, SegmentCheck& check)
+  {
+    check.rates = RateSearch(curve, static_cast<std::size_t>(piecesOf(curve)), looks_, query_).run();
+    if (check.rates->feed.lower < rates_.feed.lower)
+      result_.slowest = done_;
+    merge(*check.rates, rates_);
   }
 
   void offend(const PathSegment& segment, const SegmentCheck& check, const std::vector<PathPart>& parts)
@@ -161,8 +180,17 @@ private:
     offence.bad_at = check.bad_at;
     offence.open = parts;
     offence.point = segment.point(check.bad_at.value_or(check.good_until));
-    offence.limit = evaluator_(offence.point).binding();
+    offence.limit = limitAt(segment, offence);
     return offence;
+  }
+
+  /// What binds there, of the criterion and of the limits on the joints' rates.
+  Limit limitAt(const PathSegment& segment, const PathOffence& offence) const
+  {
+    PointEvaluation there = evaluator_(offence.point);
+    for (const Limit& limit : looks_.limitsAt(segment.curve(), offence.bad_at.value_or(offence.good_until)))
+      there.limits.push_back(limit);
+    return there.binding();
   }
 
   static constexpr std::size_t AT_A_TIME = 256;  ///< segments
@@ -174,11 +202,12 @@ private:
   PathLooks looks_;
   PathResult result_;
   PieceMotion motion_ = noMotion();  ///< over all segments that are INSIDE
+  PathRates rates_ = noRates();      ///< over all segments
   std::size_t done_ = 0;             ///< segments
   std::vector<Open> open_;
 
   std::array<std::size_t, BATCH> owner_;
-  std::array<CurvePiece, BATCH> pieces_;
+  std::array<CurveSpan, BATCH> pieces_;
   std::array<BoxVerdict, BATCH> verdicts_;
   std::array<PieceMotion, BATCH> found_;
   std::size_t count_ = 0;
@@ -204,6 +233,7 @@ void PathQuery::validate(Problems& problems) const
 {
   if (!(tool_speed >= SLOWEST_TOOL && tool_speed <= FASTEST_TOOL))
     complain(problems, "tool_speed = ", tool_speed, " m/s must be from 1e-9 to 1e9 m/s");
+  limits.validate(problems);
   if (max_looks <= 0)
     problems.push_back("max_looks = " + std::to_string(max_looks) + " must be positive");
   if (looks_per_piece < 0)

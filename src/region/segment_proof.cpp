@@ -94,13 +94,13 @@ bool SegmentProof::advance(double first, double last)
     return false;
   }
   std::array<double, PIECES + 1> t;
-  std::array<CurvePiece, PIECES> pieces;
+  std::array<CurveSpan, PIECES> pieces;
   std::array<BoxVerdict, PIECES> verdicts;
   std::array<PieceMotion, PIECES> motions;
   for (std::size_t k = 0; k <= PIECES; ++k)
     t[k] = k == PIECES ? last : first + static_cast<double>(k) / PIECES * (last - first);
   for (std::size_t k = 0; k < PIECES; ++k)
-    pieces[k] = curve_.piece(t[k], t[k + 1]);
+    pieces[k] = { &curve_, t[k], t[k + 1] };
   looks_.look(pieces.data(), PIECES, verdicts.data(), motions.data());
   if (!to_the_end_)
     for (std::size_t k = 0; k < PIECES; ++k)
@@ -154,15 +154,15 @@ bool SegmentProof::leaveOpen(double first, double last)
 /// decided is bad. @return whether it is
 bool SegmentProof::seekBad(double from)
 {
-  constexpr std::size_t MOST = 64;
+  constexpr std::size_t MOST = PathLooks::MOST;
   std::array<double, MOST> t;
-  std::array<CurvePiece, MOST> pieces;
+  std::array<CurveSpan, MOST> pieces;
   std::array<BoxVerdict, MOST> verdicts;
   std::size_t count = 0;
   for (double step = 0x1p-54; count < MOST && (count == 0 || t[count - 1] < 1.0); step *= 2.0)
   {
     t[count] = std::min(1.0, from + step);
-    pieces[count] = curve_.piece(t[count], t[count]);
+    pieces[count] = { &curve_, t[count], t[count] };
     ++count;
   }
   looks_.look(pieces.data(), count, verdicts.data(), nullptr);

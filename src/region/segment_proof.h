@@ -4,49 +4,12 @@
 #include <array>
 #include <cstddef>
 
-#include "pkm_workspace/region/path_check.h"
+#include "path_looks.h"
 
 namespace pkm_workspace
 {
 /// Pieces that are looked at side by side.
 constexpr std::size_t PIECES = 8;
-
-/// What many looks have in common.
-class PathLooks
-{
-public:
-  PathLooks(const BoxKernel& kernel, const PathQuery& query) : kernel_(kernel), query_(query) {}
-
-  std::int64_t count() const { return count_; }
-  /// What has ended the looks, once isOver() has said so.
-  PathResult::End end() const { return end_; }
-
-  /// Adds the share of so many pieces that a path has at first.
-  void allowFor(std::int64_t pieces) { pieces_ += pieces; }
-
-  bool isOver()
-  {
-    const bool is_stopped = query_.stop != nullptr && *query_.stop;
-    const bool is_over = is_stopped || count_ >= query_.max_looks + pieces_ * query_.looks_per_piece;
-    if (is_over)
-      end_ = is_stopped ? PathResult::End::STOPPED : PathResult::End::LOOKS;
-    return is_over;
-  }
-
-  /// @param motions may be nullptr
-  void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions)
-  {
-    kernel_.look(pieces, count, verdicts, motions);
-    count_ += static_cast<std::int64_t>(count);
-  }
-
-private:
-  const BoxKernel& kernel_;
-  const PathQuery& query_;
-  std::int64_t count_ = 0;
-  std::int64_t pieces_ = 0;
-  PathResult::End end_ = PathResult::End::COMPLETE;
-};
 
 /// Encloses both.
 void merge(const PieceMotion& motion, PieceMotion& sum);

@@ -39,6 +39,8 @@ std::string unitOf(Kind kind)
 {
   if (const CriterionBound* const bound = boundOf(kind))
     return *bound->unit == '\0' ? "" : std::string(" ") + bound->unit;
+  if (isRate(kind))
+    return kind == Kind::JOINT_SPEED ? " m/s" : " m/s^2";
   return kind == Kind::ASPECT ? "" : LENGTH;
 }
 
@@ -107,6 +109,13 @@ std::string jointPhrase(const Leg& leg, const Limit& limit, const Relation& rela
   return phrase("joint '" + leg.joint + "'", relation.value.empty() ? is : is + " at", bound, relation);
 }
 
+std::string ratePhrase(const Leg& leg, const Limit& limit, const Relation& relation)
+{
+  const std::string rate = limit.kind == Kind::JOINT_SPEED ? "speed" : "acceleration";
+  return phrase("the " + rate + " of joint '" + leg.joint + "'", "is",
+                "its limit of " + exact(limit.bound) + unitOf(limit.kind), relation);
+}
+
 std::string aspectPhrase(const Relation& relation)
 {
   if (relation.is_violated)
@@ -127,6 +136,9 @@ std::string describe(const Limit& limit, const Machine& machine)
       return jointPhrase(machine.leg(limit.leg), limit, relation);
     case Kind::ASPECT:
       return aspectPhrase(relation);
+    case Kind::JOINT_SPEED:
+    case Kind::JOINT_ACCELERATION:
+      return ratePhrase(machine.leg(limit.leg), limit, relation);
     default:
       return phrase(boundOf(limit.kind)->subject, "is", exact(limit.bound) + unitOf(limit.kind), relation);
   }

@@ -4,6 +4,7 @@
 #include <XmlRpcValue.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,17 @@ inline bool read(const XmlRpcValue& value, std::vector<T>& target)
       return false;
   target = elements;
   return true;
+}
+
+/// One number for all joints, or one for each.
+inline bool readForJoints(const XmlRpcValue& value, std::vector<double>& target)
+{
+  double number = 0.0;
+  if (read(value, number))
+    target = { number };
+  else if (!read(value, target) || (target.size() != 1 && target.size() != 3))
+    return false;
+  return std::all_of(target.begin(), target.end(), [](double x) { return x > 0.0; });
 }
 
 inline bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)

@@ -90,6 +90,9 @@ Table tableOf(Parameters& parameters, std::string& shape)
     { "max_memory",
       { "a whole number of bytes, 4096 to 2147483647",
         [&query](const XmlRpcValue& value) { return readMemory(value, query.budget.max_memory); } } },
+    { "joint_acceleration_max",
+      { "a number > 0, or three [m/s^2]",
+        [&parameters](const XmlRpcValue& value) { return readForJoints(value, parameters.joint_acceleration_max); } } },
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };

@@ -57,6 +57,28 @@ PathSegment fromSegment(const ToolSegment& segment)
   }
 }
 
+Bounds boundsOf(const LargestFeed& feed)
+{
+  Bounds message;
+  message.lower = feed.lower;
+  message.upper = feed.upper;
+  return message;
+}
+
+void fill(const PathReport& report, const Machine& machine, JointRates& rates)
+{
+  const PathRates& found = *report.result.rates;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    rates.speed_max[i] = report.query.limits.speed[i];
+    rates.acceleration_max[i] = report.query.limits.acceleration[i];
+    rates.accelerations[i] = found.joint_acceleration[i];
+  }
+  rates.feed = boundsOf(found.feed);
+  rates.slowest_segment = static_cast<std::int64_t>(report.result.slowest);
+  rates.slowest_joint = found.feed.leg < 0 ? "" : machine.leg(found.feed.leg).joint;
+}
+
 /// Uses what @p make makes, unless something is wrong already, or keeps why it cannot be made.
 template <class Make>
 void handOut(const char* list, std::size_t index, const Make& make, const UseSegment& use, Problems& problems)
@@ -90,6 +112,19 @@ void forEachSegment(const CheckPath::Request& request, const UseSegment& use)
     handOut(
         "segments", k, [&] { return fromSegment(request.segments[k]); }, use, problems);
   throwProblems(problems);
+}
+
+PathRatesTask ratesOf(const CheckPath::Request& request, const std::vector<double>& joint_acceleration_max)
+{
+  PathRatesTask rates;
+  if (request.tool_speed != 0.0)
+    rates.tool_speed = request.tool_speed;
+  rates.largest_feed = request.largest_feed != 0;
+  rates.joint_speeds_off = request.joint_speeds_off != 0;
+  rates.joint_acceleration_max = request.joint_acceleration_max;
+  if (rates.isAsked() && rates.joint_acceleration_max.empty())
+    rates.joint_acceleration_max = joint_acceleration_max;
+  return rates;
 }
 
 std::string frameOf(const CheckPath::Request& request)
@@ -137,6 +172,12 @@ void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, Ev
   response.det_a = toMessage(evaluation.det_a);
 }
 
+void addRates(const SegmentCheck& check, JointRates& rates)
+{
+  if (check.rates)
+    rates.segment_feeds.push_back(boundsOf(check.rates->feed));
+}
+
 void fill(const PathReport& report, const Machine& machine, CheckPath::Response& response)
 {
   const PathResult& result = report.result;
@@ -153,6 +194,8 @@ void fill(const PathReport& report, const Machine& machine, CheckPath::Response&
       response.motion.joints[i] = toMessage(result.motion->joint[i]);
       response.motion.joint_speeds[i] = result.motion->joint_speed[i];
     }
+  if (result.rates)
+    fill(report, machine, response.rates);
   if (!result.first)
     return;
   const PathOffence& offence = *result.first;

@@ -92,11 +92,12 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
 {
   const EvaluatorPtr evaluator = prepare(frameOf(request), request.criterion, response);
   PathTask task;
-  task.query.tool_speed = valueOr(request.tool_speed, task.query.tool_speed);
+  task.rates = ratesOf(request, context_.parameters.joint_acceleration_max);
   task.query.stop = crew_.stopFlag();
   task.for_each = [&request](const UseSegment& use) { forEachSegment(request, use); };
   task.tell = [&response](const SegmentCheck& segment) {
     response.segment_verdicts.push_back(constantOf(segment.verdict));
+    addRates(segment, response.rates);
   };
   task.place = [](std::size_t segment) { return "segment " + std::to_string(segment); };
   fill(pkm_workspace::checkPath(*evaluator, task), evaluator->machine(), response);

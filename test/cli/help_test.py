@@ -25,7 +25,8 @@ OPTIONS = {
     "largest": MACHINE | CRITERION | BUDGET | COMMON
     | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
-    "path": MACHINE | CRITERION | COMMON | TIME | {"file", "segment", "tool-speed", "max-looks"},
+    "path": MACHINE | CRITERION | COMMON | TIME
+    | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
     "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},

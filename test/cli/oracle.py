@@ -60,10 +60,12 @@ class Leg:
         limit = rail.find("limit")
         has_limits = limit is not None and limit.get("lower") is not None
         self.limits = [number(limit.get(end)) for end in ("lower", "upper")] if has_limits else None
+        self.speed = float(limit.get("velocity", 0)) if limit is not None else 0
+        self.speed = self.speed if self.speed > 0 else math.inf
 
     def rounded(self):
         leg = Leg.__new__(Leg)
-        leg.name, leg.side, leg.length = self.name, self.side, float(self.length)
+        leg.name, leg.side, leg.length, leg.speed = self.name, self.side, float(self.length), self.speed
         leg.e, leg.c, leg.zero = ([float(x) for x in v] for v in (self.e, self.c, self.zero))
         leg.limits = self.limits and [float(x) for x in self.limits]
         return leg

@@ -24,7 +24,7 @@ class Path(CommandTest):
     def test_speeds_are_short_texts(self):
         words = ("path", "--urdf", ORTHOGLIDE, "--segment", "start 0 0 0", "--segment", "line 0.1 0 0")
         for speed in (1e-9, 1e9):
-            text = self.text(*words, "--tool-speed", speed)
+            text = self.text(*words, "--tool-speed", speed, "--joint-speeds-off")
             told = re.search(r"(?m)^  speed of 'rail_x' +up to (\S{1,11}) m/s$", text)
             self.assertBrackets(speed, float(told[1]), 1.1 * speed)
 

@@ -38,6 +38,8 @@ WRONG = {
     "path inside": (instead(r"transmission\s+factors\s+in\s+\[[\d.]+", "transmission factors in [0.999"), ),
     "path leaves": (times("t = ", 0.9), times("t = ", 1.1),
                     times("factor\\s+(?:reaches|is\\s+above|is\\s+below)\\s+", 2)),
+    "path too fast": (times("t = ", 1.2), times("is\\s+(?=\\S+\\s+m/s,\\s+above)", 2),
+                      times("feed\\s+is\\s+proved\\s+to\\s+be\\s+", 2), times("(?<= to )(?=\\S+\\s+m/s; at)", 0.5)),
     "volume": (times("have an? (?:volume|area) of ", 3), ),
     "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"),
                       instead(r"there\s+are\s+[^.]*,\s+and\s+no", "there are no"),
@@ -170,6 +172,19 @@ class Proved(CommandTest):
                 self.held(name, "path", *self.path_words(name, points))
                 self.held(name, "path", *self.path_words(name, points), "--joint-limits", "off")
                 self.held(name, "path", *self.path_words(name, points[::-1]))
+
+    def test_paths_at_speed(self):
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            span = self.machines[name].span
+            for width in (0.05, 0.3, 0.6):
+                points = [center] + [[x + self.rng.uniform(-width, width) * span for x in center] for _ in range(3)]
+                for speed in (0.3, 0.8, 3):
+                    words = ("path", *self.path_words(name, points), "--tool-speed", speed, "--joint-limits", "off")
+                    self.held(name, *words)
+                    self.held(name, *words, "--joint-acceleration-max", 0.5 / span)
+                self.held(name, *words[:-4], "--largest-feed")
+                self.held(name, *words, "--joint-speeds-off")
 
     def test_a_path_that_touches(self):
         points = ((-0.079970593403865281, -0.22351999604761633, 0.18342168780574239),

@@ -5,6 +5,7 @@ import math
 import re
 
 N = r"(-?[\d.]+(?:e[-+]?\d+)?)"
+UNIT = r"(?: m(?:/s(?:\^2)?)?)?"
 
 
 class Wrong(AssertionError):
@@ -18,19 +19,19 @@ def hold(condition, *what):
 
 def number_or_near(text, bound, value, slack, where):
     """The end of a reason: a value on its side of the bound, or by how much at most it is there."""
-    match = re.fullmatch(rf"(?:is|would be)(?: at)? {N}(?: m)?, (above|below) {bound}", text)
+    match = re.fullmatch(rf"(?:is|would be)(?: at)? {N}{UNIT}, (above|below) {bound}", text)
     if match:
         told, limit = float(match[1]), float(match[3])
         hold(abs(told - value) <= 1e-5 * max(1, abs(value)) + slack, where, told, "is told,", value, "is right")
         hold((told > limit) == (match[2] == "above"), where, text)
         return
-    match = re.fullmatch(rf"(?:is|would be) (above|below) {bound}(?:, by at most {N}(?: m)?)?", text)
+    match = re.fullmatch(rf"(?:is|would be) (above|below) {bound}(?:, by at most {N}{UNIT})?", text)
     if match:
         limit, sign = float(match[2]), 1 if match[1] == "above" else -1
         hold(sign * (value - limit) >= -slack, where, text, "but it is", value)
         hold(match[3] is None or abs(value - limit) <= float(match[3]) + slack, where, text, "but it is", value)
         return
-    match = re.fullmatch(rf"reaches {bound}(?:, to within {N}(?: m)?| exactly)", text)
+    match = re.fullmatch(rf"reaches {bound}(?:, to within {N}{UNIT}| exactly)", text)
     hold(match, "no pattern knows the reason:", where, text)
     hold(abs(value - float(match[1])) <= float(match[2] or 0) + slack, where, text, "but it is", value)
 

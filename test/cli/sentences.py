@@ -4,6 +4,7 @@
 import re
 
 import claims
+import rate_claims
 import table_claims
 from claims import BRACKET, QUALITY
 from reasons import N, hold
@@ -19,7 +20,8 @@ LEAVES = (r"Proved: the path (?P<leaves>leaves the set|is outside the set) on "
           r"(?:near|between) t = (?P<t>[\d.e-]+)(?: and t = (?P<upper>[\d.e-]+))? of its way"
           r"(?:, and is outside somewhere between these)?: (?P<reason>.*?)\."
           r"(?: Before that it comes within rounding of the border (?P<open>.*?), where nothing is decided\."
-          r"| Before that it is not decided (?P<undecided>.*?)\.)?(?: Joint limits are off: .*)?")
+          r"| Before that it is not decided (?P<undecided>.*?)\.)?" + rate_claims.RATES +
+          r"(?: Joint limits are off: .*)?")
 MEAN = (rf"Proved: the global conditioning index is from (?P<lower>{N}) to (?P<upper>{N})"
         r"(?P<complete>, to the accuracy asked for)?\.(?: .*?\.)?")
 NO_MEAN = (r"Nothing is proved of the global conditioning index: "
@@ -50,9 +52,10 @@ CLAIMS = {
                    r"(?: (?P<remark>Joint limits are off: .*))?", claims.good_point),
     "no good point": (rf"Proved: the point is not {QUALITY}: (?P<reasons>.*)\.", claims.no_good_point),
     "centers": (CENTERS, claims.shares),
-    "path inside": (r"Proved: every point of the path is in the set\.(?: (?P<remark>Joint limits are off: .*))?",
-                    claims.path_inside),
-    "path leaves": (LEAVES, claims.path_leaves),
+    "path inside": (r"Proved: every point of the path is in the set\." + rate_claims.RATES +
+                    r"(?: (?P<remark>Joint limits are off: .*))?", rate_claims.inside),
+    "path too fast": (rate_claims.FAST, rate_claims.too_fast),
+    "path leaves": (LEAVES, rate_claims.leaves),
     "volume": (VOLUME, claims.volume),
     "mean": (MEAN, table_claims.mean),
     "no mean": (NO_MEAN, None),

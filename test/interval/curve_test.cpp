@@ -55,6 +55,18 @@ struct ExactCurve
       v[k] = Exact(drift[k]) + Exact(angle) * (c * w[k] - s * u[k]);
     return (Exact(1.0) / sqrt(dot(v, v))) * v;
   }
+  /// For regular curves: the second derivative by the length of the way.
+  ExactVector curvature(const Exact& t) const
+  {
+    const Exact c = cos(t * angle), s = sin(t * angle);
+    ExactVector v, a;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      v[k] = Exact(drift[k]) + Exact(angle) * (c * w[k] - s * u[k]);
+      a[k] = Exact(-angle) * Exact(angle) * (c * u[k] + s * w[k]);
+    }
+    return (Exact(1.0) / dot(v, v)) * a;
+  }
 
 private:
   static IntervalVector enclosed(const std::array<double, 3>& v) { return { v[0], v[1], v[2] }; }
@@ -95,7 +107,7 @@ TEST_P(CurveContainment, sineAndCosineHoldThoseOfEveryAngle)
   }
 }
 
-TEST_P(CurveContainment, piecesHoldTheirPointsAndTangents)
+TEST_P(CurveContainment, piecesHoldTheirPointsTangentsAndCurvatures)
 {
   for (int seed = 0; seed < cases(2000) && !HasFailure(); ++seed)
   {
@@ -104,11 +116,15 @@ TEST_P(CurveContainment, piecesHoldTheirPointsAndTangents)
     const double width = std::ldexp(1.0, -random.integer(0, 30));
     const double first = width * std::floor(random.uniform(0.0, 1.0 / width));
     const CurvePiece piece = under<CurvePiece>(GetParam(), [&] { return exact.curve().piece(first, first + width); });
+    const SkewBox<double> curvatures =
+        under<SkewBox<double>>(GetParam(), [&] { return exact.curve().curvatures(first, first + width); });
     for (const double delta : { -1.0, 0.0, 1.0, random.uniform(-1.0, 1.0) })
     {
       const Exact t = Exact(first + 0.5 * width) + Exact(0.5 * width) * delta;
       ASSERT_TRUE(holds(piece.points, delta, exact.point(t))) << "seed " << seed << ", delta " << delta;
       ASSERT_TRUE(!exact.isRegular() || holds(piece.tangents, delta, exact.tangent(t)))
+          << "seed " << seed << ", delta " << delta;
+      ASSERT_TRUE(!exact.isRegular() || holds(curvatures, delta, exact.curvature(t)))
           << "seed " << seed << ", delta " << delta;
     }
   }
@@ -146,6 +162,14 @@ TEST(Curve, piecesAreThin)
     EXPECT_NEAR(std::hypot(box.edges[0][0], box.edges[1][0]), 0.5 * width, width * width);
   }
   EXPECT_NEAR(circle.length().mid(), 1.0, 1e-15);
+}
+
+TEST(Curve, aCircleBendsInwards)
+{
+  const Curve circle({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.5, 0.0, 0.0 }, { 0.0, 0.5, 0.0 }, 1.0);
+  const SkewBox<double> box = circle.curvatures(0.0, 0.0);
+  EXPECT_NEAR(box.center[0], -2.0, 1e-14);
+  EXPECT_LE(box.slack, 1e-13);
 }
 
 TEST(Curve, aPointHasNoTangent)

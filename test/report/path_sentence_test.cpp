@@ -5,6 +5,7 @@
 
 #include <regex>
 
+#include "pkm_workspace/report/rates_sentence.h"
 #include "region/paths.h"
 
 namespace pkm_workspace
@@ -16,9 +17,10 @@ namespace
 const Eigen::Vector3d START(-0.079970593403865281, -0.22351999604761633, 0.18342168780574239);
 const Eigen::Vector3d END(0.8108995385756147, -0.37194738107784847, -0.8025565924264686);
 
-std::string sentenceOf(const PathResult& result)
+std::string sentenceOf(const PathResult& result, double tool_speed = 1.0)
 {
-  return describe(result, orthoglide(), [](std::size_t segment) { return "segment " + std::to_string(segment); });
+  return describe(result, tool_speed, orthoglide(),
+                  [](std::size_t segment) { return "segment " + std::to_string(segment); });
 }
 
 std::string sentenceOf(const std::vector<PathSegment>& segments, const Criterion& criterion = {},
@@ -58,6 +60,59 @@ TEST(PathSentence, doesNotTakeATouchForTheOffence)
       sentenceOf({ PathSegment::line(START, END) }, criterion),
       "Proved: the path leaves the set on segment 0, near t = 0\\.7[0-9]* of its way: the .* Before that it comes "
       "within rounding of the border near t = 0\\.58[0-9]*, where nothing is decided\\.");
+}
+
+TEST(PathSentence, tellsWhichJointIsTooFast)
+{
+  PathQuery query;
+  query.tool_speed = 0.3;
+  query.holds_limits = true;
+  query.limits.speed = { 0.2, 0.2, 0.2 };
+  const PathSegment along = PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 });
+  expectSays(
+      sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+      "Proved: at 0\\.3 m/s the path is too fast for the joints on segment 0, near t = 0 of its way: the speed of "
+      "joint 'rail_x' is 0\\.3 m/s, above its limit of 0\\.2 m/s\\.");
+  query.limits.speed = { INF, 0.02, INF };
+  expectSays(
+      sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+      "Proved: at 0\\.3 m/s the path becomes too fast for the joints on segment 0, near t = 0\\.66\\d* of its way: "
+      "the speed of joint 'rail_y' (is above|reaches) its limit of 0\\.02 m/s, .*\\.");
+  query.limits.acceleration = { INF, INF, 0.05 };
+  expectSays(sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+             "Proved: at 0\\.3 m/s the path is too fast for the joints on segment 0, near t = 0 of its way: the "
+             "acceleration of joint 'rail_z' is 0\\.09 m/s\\^2, above its limit of 0\\.05 m/s\\^2\\.");
+}
+
+TEST(RatesSentence, tellsTheFeedAndWhatHasNoLimit)
+{
+  const auto told = [](const JointRateLimits& limits, double tool_speed) {
+    PathQuery query;
+    query.tool_speed = tool_speed;
+    query.holds_limits = query.wants_rates = true;
+    query.limits = limits;
+    const std::vector<PathSegment> path = { PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.1 }),
+                                            PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 }) };
+    return describeRates(checkPath(orthoglide(), Criterion(), path, query), query, orthoglide(),
+                         [](std::size_t segment) { return "segment " + std::to_string(segment); });
+  };
+  JointRateLimits limits;
+  EXPECT_EQ(told(limits, 0.1), "Joint speeds are not held against a limit: 'rail_x', 'rail_y' and 'rail_z' have none.");
+  limits.speed = { 0.2, 0.2, 0.25 };
+  expectSays(told(limits, 0.1),
+             "At 0\\.1 m/s the joints are proved to keep within their limits\\. The largest feed is "
+             "proved to be (0\\.2|0\\.19999\\d* to 0\\.20000\\d*) m/s; at that 'rail_x' reaches its "
+             "limit of speed on segment 1\\.");
+  limits.speed[1] = INF;
+  limits.acceleration[2] = 0.01;
+  expectSays(told(limits, 0.4),
+             "The largest feed is proved to be 0\\.0992\\d* to 0\\.099[23]\\d* m/s; at that 'rail_z' reaches "
+             "its limit of acceleration on segment 1\\. The speed of 'rail_y' is not held against a "
+             "limit: it has none\\.");
+  limits.speed = { INF, INF, 0.3 };
+  limits.acceleration[2] = INF;
+  expectSays(told(limits, 0.1),
+             ".* The speeds of 'rail_x' and 'rail_y' are not held against a limit: they have none\\.");
 }
 
 TEST(PathSentence, saysWhyNothingIsDecided)

@@ -5,6 +5,7 @@ import math
 import re
 
 import claims
+import rate_claims
 import table_claims
 from claims import (MORE, all_good, beyond, bracket, large_cylinder, no_region, on, placements, remark_on, spans,
                     verdicts, without_region)
@@ -132,8 +133,40 @@ def point(case):
             hold(bounds.lower - slack <= value <= bounds.upper + slack, bounds, "but it is", value)
 
 
+def rates(case):
+    """The fields on how fast the joints go."""
+    told, limits = case.answer.rates, rate_claims.Limits(case)
+    hold([*told.speed_max] == limits.of["speed"] and [*told.acceleration_max] == limits.of["acceleration"], told)
+    hold(len(told.segment_feeds) == len(case.segments), told)
+    for segment, feed in zip(case.segments, told.segment_feeds):
+        least = rate_claims.least_feed(case, segment, limits)
+        hold(feed.lower == 0 or least >= feed.lower * (1 - 1e-5), "too fast", feed)
+        hold(least <= feed.upper * 1.1, "not so fast", feed)
+        for k in range(51) if feed.lower > 0 else ():
+            found = rate_claims.rates_at(case, segment, k / 50)["acceleration"]
+            hold(all(x * case.tool_speed**2 <= most * (1 + 1e-4) + 1e-5 for x, most in zip(found, told.accelerations)),
+                 "faster than", told.accelerations, found)
+    lower, upper = (min(getattr(feed, end) for feed in told.segment_feeds) for end in ("lower", "upper"))
+    hold((told.feed.lower, told.feed.upper) == (lower, upper), told)
+    hold(told.segment_feeds[told.slowest_segment].lower == lower, told.slowest_segment)
+
+
+def binding_rate(case, segment, t):
+    limit = case.answer.limit
+    kind = {limit.JOINT_SPEED: "speed", limit.JOINT_ACCELERATION: "acceleration"}[limit.kind]
+    limits = rate_claims.Limits(case)
+    k = limits.names.index(limit.joint)
+    value = rate_claims.rates_at(case, segment, t)[kind][k] * case.tool_speed**(1 if kind == "speed" else 2)
+    slack = 1e-4 * (1 + value)
+    hold(limit.value.lower - slack <= value <= limit.value.upper + slack, limit, "but it is", value)
+    hold(limit.bound == limits.of[kind][k] and limit.bound <= value + slack, limit, "but it is", value)
+    hold(limit.margin.lower - slack <= limit.bound - value <= limit.margin.upper + slack, limit)
+
+
 def path(case):
     answer = case.answer
+    if case.tool_speed:
+        rates(case)
     if answer.verdict == answer.INSIDE:
         hold(answer.offending_segment == -1 and set(answer.segment_verdicts) == {answer.INSIDE}, answer)
         return motion(case)
@@ -145,9 +178,11 @@ def path(case):
          "bad before", answer.good_until)
     if answer.verdict == answer.OUTSIDE:
         hold(0 <= answer.good_until <= answer.bad_at <= 1, answer)
-        hold(case.machine.verdict(on(first, answer.bad_at), case.criterion) == BAD, "good at", answer.bad_at)
         hold(math.dist(on(first, answer.bad_at), xyz(answer.offence)) < NEAR, answer.offence)
         hold(answer.open[0].lower <= answer.good_until + NEAR and answer.open[-1].upper == answer.bad_at, answer.open)
+        if answer.limit.kind in (answer.limit.JOINT_SPEED, answer.limit.JOINT_ACCELERATION):
+            return binding_rate(case, first, answer.bad_at)
+        hold(case.machine.verdict(on(first, answer.bad_at), case.criterion) == BAD, "good at", answer.bad_at)
         binding(case, answer.limit, on(first, answer.bad_at))
     return None
 
@@ -163,7 +198,7 @@ def motion(case):
                 slack = 1e-6 * (1 + abs(value))
                 hold(bounds.lower - slack <= value <= bounds.upper + slack, bounds, "but it is", value)
             for most, before, after in zip(told.joint_speeds, here.rhos, then.rhos):
-                speed = abs(after - before) / (step * length)
+                speed = (case.tool_speed or 1) * abs(after - before) / (step * length)
                 hold(speed <= most * (1 + 1e-6) + NEAR, "faster than", most, speed)
 
 

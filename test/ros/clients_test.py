@@ -50,6 +50,11 @@ class ClientsTest(unittest.TestCase):
         answer = self.machine.check_path(way, tool_speed=0.1)
         self.assertEqual((answer.verdict, len(answer.segment_verdicts)), (Client.INSIDE, 3))
         self.assertEqual(self.machine.check_line([(0, 0, 0), (0.9, 0.9, 0)]).verdict, Client.OUTSIDE)
+        for most in (1, (1, 1, 1)):
+            way = [(0, 0, 0), (0.1, 0, 0)]
+            rates = self.machine.check_line(way, largest_feed=True, joint_acceleration_max=most).rates
+            self.assertEqual([*rates.acceleration_max], [1, 1, 1])
+            self.assertGreater(rates.feed.lower, 0)
 
     def test_sets_the_criterion(self):
         self.assertEqual(self.machine.set_criterion(psi_min=0.4, accuracy=0.02).psi_min, 0.4)

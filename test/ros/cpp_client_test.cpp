@@ -48,6 +48,10 @@ TEST(Client, checksArcsAndHelices)
                                         with::tool_speed(0.1));
   EXPECT_EQ(machine.INSIDE, answer.verdict);
   EXPECT_EQ(3U, answer.segment_verdicts.size());
+  const auto feed = machine.checkLine({ { 0, 0, 0 }, { 0.1, 0, 0 } }, with::largest_feed(), with::joint_speeds_off(),
+                                      with::joint_acceleration_max({ 1.0 }));
+  EXPECT_GT(feed.rates.feed.lower, 0.0);
+  EXPECT_EQ(1.0, feed.rates.acceleration_max[2]);
 }
 
 TEST(Client, followsGoals)

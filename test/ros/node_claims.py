@@ -17,7 +17,7 @@ SIDES = r"(?P<x>\S+) x (?P<y>\S+) x (?P<z>\S+) m\n"
 BINDS = r"(?P<kind>reach|joint_lower|joint_upper|aspect|psi_min|psi_max)(?: of (?P<joint>\w+))?"
 EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
-              "path inside", "path leaves", "singularities")
+              "path inside", "path leaves", "path too fast", "singularities")
 
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
@@ -60,7 +60,7 @@ REGION = ("region", "no region", "wide")
 RARE = {"singular point", "box undecided", "wide told", "tool elsewhere"}  # may be met with no seed
 SOURCES = {
     "check_region": ("inside", "remark", "bad point", "singular point", "nothing"),
-    "check_path": ("path inside", "path leaves", "nothing"),
+    "check_path": ("path inside", "path leaves", "path too fast", "nothing"),
     "evaluate_point": ("good point", "no good point", "nothing"),
     "compute_largest_region": REGION,
     "find_largest_region": REGION,
@@ -81,7 +81,7 @@ SOURCES = {
 }
 INSIDE, OUTSIDE, UNDECIDED = 1, 2, 3
 VERDICTS = {"inside": INSIDE, "remark": INSIDE, "bad point": OUTSIDE, "singular point": OUTSIDE, "nothing": UNDECIDED,
-            "path inside": INSIDE, "good point": INSIDE, "no good point": OUTSIDE}
+            "path inside": INSIDE, "path too fast": OUTSIDE, "good point": INSIDE, "no good point": OUTSIDE}
 
 
 def definition_of(hypotheses):

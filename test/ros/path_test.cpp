@@ -95,6 +95,49 @@ TEST(CheckPath, namesTheFirstOffence)
   EXPECT_EQ(response.limit.kind, offence.limit.kind);
 }
 
+// Along x the first rail goes with the tool.
+TEST(CheckPath, holdsTheJointsWithinTheirLimitsAtAToolSpeed)
+{
+  CheckPath::Request request;
+  request.segments = { line(point(0, 0, 0), point(0, 0, 0.05)), line(point(-0.1, 0, 0), point(0.1, 0, 0)) };
+  request.largest_feed = true;
+  const auto feed = call<CheckPath>("check_path", request);
+  ASSERT_EQ(CheckPath::Response::INSIDE, feed.verdict) << feed.message;
+  const double most = feed.rates.speed_max[0];
+  ASSERT_TRUE(std::isfinite(most));
+  EXPECT_TRUE(std::isinf(feed.rates.acceleration_max[0]));
+  EXPECT_LE(feed.rates.feed.lower, most);
+  EXPECT_GE(feed.rates.feed.upper, most * (1 - 1e-12));
+  ASSERT_EQ(2U, feed.rates.segment_feeds.size());
+  EXPECT_EQ(feed.rates.segment_feeds[static_cast<std::size_t>(feed.rates.slowest_segment)].lower,
+            feed.rates.feed.lower);
+  request.largest_feed = false;
+  request.tool_speed = 0.9 * most;
+  const auto slow = call<CheckPath>("check_path", request);
+  EXPECT_EQ(CheckPath::Response::INSIDE, slow.verdict) << slow.message;
+  EXPECT_GE(slow.rates.accelerations[1], std::pow(request.tool_speed, 2)) << "(1 - x^2)^-3/2, for 1 m/s";
+  request.tool_speed = 1.5 * most;
+  request.segments.erase(request.segments.begin());
+  const auto fast = call<CheckPath>("check_path", request);
+  ASSERT_EQ(CheckPath::Response::OUTSIDE, fast.verdict) << fast.message;
+  EXPECT_EQ(BindingLimit::JOINT_SPEED, fast.limit.kind);
+  EXPECT_EQ("rail_x", fast.limit.joint);
+  EXPECT_EQ(most, fast.limit.bound);
+  EXPECT_NEAR(1.5 * most, fast.limit.value.lower, 1e-9);
+  EXPECT_EQ(0.0, fast.bad_at);
+  EXPECT_NE(std::string::npos, fast.message.find("too fast for the joints on segment 0")) << fast.message;
+  EXPECT_EQ("rail_x", fast.rates.slowest_joint);
+  request.joint_speeds_off = true;
+  const auto aside = call<CheckPath>("check_path", request);
+  EXPECT_EQ(CheckPath::Response::INSIDE, aside.verdict) << aside.message;
+  EXPECT_NE(std::string::npos, aside.message.find("Joint speeds are not held against a limit: they are left aside."));
+  request.joint_acceleration_max = { 1e9, 1e9, 1e-3 * most * most };
+  const auto bent = call<CheckPath>("check_path", request);
+  ASSERT_EQ(CheckPath::Response::OUTSIDE, bent.verdict) << bent.message;
+  EXPECT_EQ(BindingLimit::JOINT_ACCELERATION, bent.limit.kind);
+  EXPECT_EQ("rail_z", bent.limit.joint);
+}
+
 TEST(CheckPath, takesArcsWhole)
 {
   EXPECT_EQ(CheckPath::Response::INSIDE, check({ circle(0.2) }).verdict);
@@ -194,6 +237,14 @@ TEST(CheckPath, refusesWhatIsOutOfRange)
   two.header.frame_id = "base_link";
   two.path.header.frame_id = "elsewhere";
   expectRefused(two, "frame 'elsewhere' must be empty or that of the request");
+  two = with(line(point(0, 0, 0), point(0.1, 0, 0)));
+  two.joint_acceleration_max = { 1.0 };
+  expectRefused(two, "joint_acceleration_max is without effect: give tool_speed too, or ask for largest_feed");
+  two.tool_speed = 1.0;
+  two.joint_acceleration_max = { 1.0, -1.0, 1.0 };
+  expectRefused(two, "joint_acceleration_max = -1 m/s\\^2 must be > 0");
+  two.joint_acceleration_max = { 1.0, 1.0 };
+  expectRefused(two, "joint_acceleration_max has 2 numbers: give one for all joints, or one for each");
   ToolSegment flat = line(point(0, 0, 0), point(0.2, 0, 0));
   flat.kind = ToolSegment::ARC_THROUGH;
   flat.via = point(0.1, 1e-8, 0);

@@ -83,6 +83,14 @@ class Questions:
                 answer = node.client.check_line(way, criterion=criterion)
                 segments = [(f"segment {k}", *ends) for k, ends in enumerate(zip(way, way[1:]))]
                 self.answered(node, "check_path", answer, segments=segments)
+        for width, speed in ((0.05, 0.4), (0.1, 0.5), (0.3, 0.4), (0.3, 0.8), (0.1, 3)):
+            way = [node.center] + [node.near(self.rng, width) for _ in range(3)]
+            segments = [(f"segment {k}", *ends) for k, ends in enumerate(zip(way, way[1:]))]
+            for most in (math.inf, 0.5 / node.span):
+                fields = {} if most == math.inf else {"joint_acceleration_max": most}
+                answer = node.client.check_line(way, criterion=FREE, tool_speed=speed, **fields)
+                self.answered(node, "check_path", answer, segments=segments, tool_speed=speed,
+                              joint_acceleration_max=most)
 
     def found(self, node, **fields):
         region = node.client.largest_region(accuracy=0.02 * node.span, **fields)

@@ -46,6 +46,8 @@ BAD_PARAMETERS = [
     ({"time_limit": 1e6}, r"time_limit = 1000000 s must be > 0 and at most 86400 s"),
     ({"threads": 0}, r"threads = 0 .*1"),
     ({"threads": 1.5}, r"threads = 1.5 must be a whole number >= 1"),
+    ({"joint_acceleration_max": [1, 2]}, r"joint_acceleration_max = .* must be a number > 0, or three \[m/s\^2\]"),
+    ({"joint_acceleration_max": -1.0}, r"joint_acceleration_max = -1.* must be a number > 0, or three \[m/s\^2\]"),
     ({"paving_resolution": -1.0}, r"paving_resolution = -1 m must be >= 0"),
     ({"diagnostic_period": 0}, r"diagnostic_period = 0 must be a number from 0.01 to 3600 \[s\]"),
     ({"diagnostic_period": "often"}, r"diagnostic_period = often must be a number from"),

@@ -70,6 +70,15 @@ def slower(answer):
     answer.motion.joint_speeds = [0.5 * x for x in answer.motion.joint_speeds]
 
 
+def faster(answer):
+    for feed in (answer.rates.feed, *answer.rates.segment_feeds):
+        feed.lower, feed.upper = 1.1 * feed.lower, 1.1 * feed.upper
+
+
+def gentler(answer):
+    answer.rates.accelerations = [0.5 * x for x in answer.rates.accelerations]
+
+
 def figures(label):
     def change(answer):
         for figure in answer.machines[0].figures:
@@ -115,6 +124,8 @@ WRONG = {
     "singular point": (at_a_good_point, said(times("no further than ", 1e12))),
     "nothing": (field("verdict", 0), ),
     "path inside": (answered(narrower), answered(slower), field("verdict", 2)),
+    "path too fast": (swap("limit.value", "limit.margin"), said(times("t = ", 0.5)), field("verdict", 0),
+                      answered(faster), answered(gentler), said(times("feed is proved to be ", 2))),
     "path leaves": (swap("good_until", "bad_at"), swap("limit.value", "limit.margin"), said(times("t = ", 0.9)),
                     said(times("t = ", 1.1)), OTHER_SIDE),
     "region": REGION,

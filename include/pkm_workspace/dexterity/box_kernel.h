@@ -63,6 +63,11 @@ public:
   /// @param motions one for each piece, or nullptr; all numbers where a strut is not proved to reach, with the margin
   /// that psi_max asks for
   virtual void look(const CurvePiece* pieces, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions) const = 0;
+  /// One look at each piece as a whole: how fast the joints go there.
+  /// @param curvatures Curve::curvatures() of each piece @param rates one for each piece; from 0 to INF where a strut
+  /// is not proved to reach, as above
+  virtual void rates(const CurvePiece* pieces, const SkewBox<double>* curvatures, std::size_t count,
+                     PieceRates* rates) const = 0;
   /// The necessary forms at the centers' box, moved by offset.at(size) for each offset.
   /// @param origins NecessaryForms::MOST for each offset, of its forms in turn; or nullptr. Where they are violated,
   /// the first form and its origin tell by which leg

@@ -18,8 +18,16 @@ enum class ConditionKind
   PSI_MAX,      ///< the largest velocity transmission factor
   FORCE_MIN,    ///< the least force transmission factor
   FORCE_MAX,    ///< the largest force transmission factor
-  KAPPA_MAX     ///< the condition number of J
+  KAPPA_MAX,    ///< the condition number of J
+  // of a path that is gone along at a speed; no criterion asks for these at a point
+  JOINT_SPEED = 64,   ///< |qdot| is at most what the joint reaches [m/s]
+  JOINT_ACCELERATION  ///< |qddot| is at most what the joint reaches [m/s^2]
 };
+
+inline bool isRate(ConditionKind kind)
+{
+  return kind == ConditionKind::JOINT_SPEED || kind == ConditionKind::JOINT_ACCELERATION;
+}
 
 /// What a form is about.
 struct Subject

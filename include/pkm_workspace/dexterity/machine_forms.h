@@ -109,6 +109,11 @@ public:
   {
     return jointOf(forms_[leg], box, forms.legs[leg]);
   }
+  /// n_i' . t - b_i' q_i' for the tangent t; see turningOf().
+  AffineForm<Real> turning(std::size_t leg, const AffineVector<Real>& tangent, const AffineForm<Real>& speed) const
+  {
+    return turningOf(forms_[leg], tangent, speed);
+  }
   Real jointNear(std::size_t leg, const MachineNumbers<Real>& numbers, const PlainVector<Real>& p) const
   {
     return jointOf(numbers_[leg], p, numbers.legs[leg]);

@@ -44,6 +44,8 @@ public:
   /// b = (last - first) angle / 2, cos(b d) lies in [cos b, 1], and sin(b d) - d sin b within b^3 / (9 sqrt 3) for d in
   /// [-1, 1] (the error of interpolation in -1, 0, 1).
   CurvePiece piece(double first, double last) const;
+  /// Encloses the second derivatives of the points by the length of the way there [1/m], over the same delta.
+  SkewBox<double> curvatures(double first, double last) const;
   /// Encloses p(t).
   IntervalVector point(double t) const;
 
@@ -62,6 +64,13 @@ private:
 
   Curve(const Eigen::Vector3d& start, const IntervalVector& drift);
   void setDirection(const IntervalVector& drift);
+  /// The middle of a piece, and half its length.
+  struct Middle
+  {
+    double t, h;
+
+    Middle(double first, double last);
+  };
   /// The piece about t of half length h.
   CurvePiece straightPiece(double t, double h) const;
   CurvePiece turningPiece(double t, double h) const;

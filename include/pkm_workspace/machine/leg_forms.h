@@ -42,6 +42,15 @@ inline decltype(auto) squaredRow(const std::variant<Kinds...>& leg)
   return visitLeg([](const auto& kind) -> decltype(auto) { return squaredRow(kind); }, leg);
 }
 
+/// n' . t - b' q', what n . t = b q' has in its derivative beside n . t' - b q''.
+/// @param tangent t, the way of the tool, of length 1 @param speed q'
+template <class Real>
+inline AffineForm<Real> turningOf(const LegOfForms<Real>& leg, const AffineVector<Real>& tangent,
+                                  const AffineForm<Real>& speed)
+{
+  return visitLeg([&](const auto& kind) { return turningOf(kind, tangent, speed); }, leg);
+}
+
 /// The joint value q [m].
 template <class... Kinds, class Points, class State>
 inline auto jointOf(const std::variant<Kinds...>& leg, const Points& p, const State& state)

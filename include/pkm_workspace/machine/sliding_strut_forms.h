@@ -75,6 +75,16 @@ inline auto jointOf(const StrutConstants<Constants...>& strut, const Points& p, 
   return dotOffset(strut.along, strut.center, p) - state.drive;
 }
 
+/// n' . t - b' q', where the tool moves along t and the joint by q' for each metre of its way: n' = t - q' e and
+/// b' = e . n', so it is |t - q' e|^2.
+template <class Real>
+inline AffineForm<Real> turningOf(const StrutOfForms<Real>& strut, AffineVector<Real> tangent,
+                                  const AffineForm<Real>& speed)
+{
+  addAlong(tangent, -speed, strut.axis);
+  return dot(tangent, tangent);
+}
+
 /// The leg in floating point; near the ends of its reach no digits are lost.
 /// @param p tool point [m] @return whether the leg reaches it
 bool evaluateNear(const EnclosedStrut& strut, const Eigen::Vector3d& p, LegAtPoint& leg);

@@ -10,6 +10,7 @@
 
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/region/containment.h"
+#include "pkm_workspace/region/joint_rates.h"
 #include "pkm_workspace/region/path.h"
 
 namespace pkm_workspace
@@ -22,6 +23,9 @@ constexpr double FASTEST_TOOL = 1e9;
 struct PathQuery
 {
   double tool_speed = 1.0;                  ///< constant along the path [m/s], from SLOWEST_TOOL to FASTEST_TOOL
+  JointRateLimits limits = {};              ///< what the joints' speeds and accelerations are held against, ...
+  bool holds_limits = false;                ///< ... by the verdict: a point where one is above its limit is bad
+  bool wants_rates = false;                 ///< whether the answer has PathRates
   std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0, and ...
   std::int64_t looks_per_piece = 16;        ///< ... as many more for each piece that the path has at first, >= 0
   const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
@@ -44,6 +48,7 @@ struct SegmentCheck
   double good_until = 0.0;           ///< all points before this t are proved good; 1 for INSIDE
   std::optional<double> bad_at;      ///< with OUTSIDE: the point at this t is proved bad
   std::optional<PathMotion> motion;  ///< with INSIDE
+  std::optional<PathRates> rates;    ///< where they are asked for, whatever the verdict
 };
 
 /// A part of a segment: first <= t <= last.
@@ -83,6 +88,8 @@ struct PathResult
   std::optional<PathOffence> first = {};      ///< of the first segment that is not INSIDE
   std::optional<PathOffence> proved = {};     ///< of the first segment that is OUTSIDE, which may be a later one
   std::optional<PathMotion> motion = {};      ///< over the whole path, with INSIDE
+  std::optional<PathRates> rates = {};        ///< over the whole path, where they are asked for
+  std::size_t slowest = 0;                    ///< of rates: the segment whose feed has the least lower end
   std::int64_t looks = 0;                     ///< pieces looked at
   End end = End::COMPLETE;
 };

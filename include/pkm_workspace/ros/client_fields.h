@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pkm_workspace
 {
@@ -98,6 +99,19 @@ inline auto time_limit(double seconds)
 inline auto tool_speed(double value)
 {
   return [value](auto& request) { request.tool_speed = value; };
+}
+/// Largest accelerations of the joints along a path: one for all, or three.
+inline auto joint_acceleration_max(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.joint_acceleration_max = values; };
+}
+inline auto joint_speeds_off()
+{
+  return [](auto& request) { request.joint_speeds_off = true; };
+}
+inline auto largest_feed()
+{
+  return [](auto& request) { request.largest_feed = true; };
 }
 /// Where the center of a region may be.
 inline auto search_box(const Triple& lower, const Triple& upper)

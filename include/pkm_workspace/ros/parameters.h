@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/largest_region.h"
@@ -57,14 +58,15 @@ struct Parameters
   /// ~threads, ~max_memory: that the boxes of one computation may take [bytes], and ~time_limit, which is also the most
   /// that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
-  double accuracy = 0.0;             ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
-  PsiChoice psi = PsiChoice::GIVEN;  ///< ~psi
-  bool default_psi = true;           ///< whether neither ~psi_min nor ~psi_max was given
-  UrdfOptions urdf;                  ///< ~rails, ~tcp_links and ~tool_link
-  bool publish_joint_states = true;  ///< whether the model stands at the region's center
-  bool show_paving = true;           ///< whether the markers show the set that the region lies in
-  bool show_boundary = false;        ///< whether they show its undecided boxes too
-  double paving_resolution = 0.0;    ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
+  double accuracy = 0.0;                            ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
+  PsiChoice psi = PsiChoice::GIVEN;                 ///< ~psi
+  bool default_psi = true;                          ///< whether neither ~psi_min nor ~psi_max was given
+  std::vector<double> joint_acceleration_max = {};  ///< ~joint_acceleration_max of paths [m/s^2], > 0; one or three
+  UrdfOptions urdf;                                 ///< ~rails, ~tcp_links and ~tool_link
+  bool publish_joint_states = true;                 ///< whether the model stands at the region's center
+  bool show_paving = true;                          ///< whether the markers show the set that the region lies in
+  bool show_boundary = false;                       ///< whether they show its undecided boxes too
+  double paving_resolution = 0.0;  ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.
   void validate(Problems& problems) const;

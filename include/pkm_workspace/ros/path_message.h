@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/tasks/path.h"
 
@@ -18,6 +19,9 @@ using UseSegment = std::function<void(const PathSegment&)>;
 /// @throws std::invalid_argument naming each segment and value that is wrong; those before the first were handed out
 void forEachSegment(const CheckPath::Request& request, const UseSegment& use);
 
+/// What a request asks about the joints' rates. @param joint_acceleration_max where it has none [m/s^2]
+PathRatesTask ratesOf(const CheckPath::Request& request, const std::vector<double>& joint_acceleration_max);
+
 /// The frame that a request is made in. @throws std::invalid_argument where it names two
 std::string frameOf(const CheckPath::Request& request);
 
@@ -26,6 +30,8 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine);
 
 /// Fills all that the evaluation tells.
 void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response);
-/// All but the verdicts on the segments.
+/// Adds what is told of one segment.
+void addRates(const SegmentCheck& check, JointRates& rates);
+/// All but what is told of each segment.
 void fill(const PathReport& report, const Machine& machine, CheckPath::Response& response);
 }  // namespace pkm_workspace

@@ -4,16 +4,33 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/path_check.h"
 
 namespace pkm_workspace
 {
+/// How fast a path is gone along, and what is asked about that.
+struct PathRatesTask
+{
+  /// Constant along the path [m/s]: the joints have to keep their limits then. Without it none is held, and joint
+  /// speeds are those for 1 m/s.
+  std::optional<double> tool_speed = {};
+  bool largest_feed = false;                        ///< the largest feed is asked for, which a tool speed asks for too
+  bool joint_speeds_off = false;                    ///< the largest speeds of the machine's joints are left aside
+  std::vector<double> joint_acceleration_max = {};  ///< one number for all joints, one for each, or none [m/s^2]
+
+  bool isAsked() const { return largest_feed || tool_speed.has_value(); }
+  /// Appends one sentence for each value that is out of range or without effect.
+  void validate(Problems& problems) const;
+};
+
 /// A path, and what is asked of it besides its criterion.
 struct PathTask
 {
-  PathQuery query;
+  PathQuery query;  ///< but for speed and limits, which follow from the rates
+  PathRatesTask rates;
   /// Hands out the segments, in their order.
   std::function<void(const std::function<void(const PathSegment&)>& use)> for_each;
   PathChecker::Tell tell;                                 ///< told the answer about each segment, in their order
@@ -23,6 +40,7 @@ struct PathTask
 
 struct PathReport
 {
+  PathQuery query;                      ///< as it was asked
   PathResult result;                    ///< the list of its segments is left empty
   std::optional<JointReaches> reaches;  ///< along a path that is inside, where joint limits are left aside
   std::string message;                  ///< what is proved, and what that means for limits that are left aside

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path_looks.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+void complainOfLimits(const char* name, const std::array<double, 3>& limits, const char* unit, Problems& problems)
+{
+  for (const double limit : limits)
+    if (!(limit > 0.0))
+      complain(problems, name, limit, unit);
+}
+}  // namespace
+
+void JointRateLimits::validate(Problems& problems) const
+{
+  complainOfLimits("joint_speed_max = ", speed, " m/s must be > 0, or infinite for none", problems);
+  complainOfLimits("joint_acceleration_max = ", acceleration, " m/s^2 must be > 0, or infinite for none", problems);
+}
+
+PathLooks::PathLooks(const BoxKernel& kernel, const PathQuery& query)
+  : kernel_(kernel)
+  , query_(query)
+  , holds_(query.holds_limits && query.limits.any())
+  , speed_(query.tool_speed)
+  , squared_speed_(sqr(speed_))
+{}
+
+bool PathLooks::isOver(std::int64_t count)
+{
+  const bool is_stopped = query_.stop != nullptr && *query_.stop;
+  const bool is_over = is_stopped || count >= query_.max_looks + pieces_ * query_.looks_per_piece;
+  if (is_over)
+    end_ = is_stopped ? PathResult::End::STOPPED : PathResult::End::LOOKS;
+  return is_over;
+}
+
+void PathLooks::look(const CurveSpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions)
+{
+  Pieces pieces;
+  for (std::size_t k = 0; k < count; ++k)
+    pieces[k] = spans[k].curve->piece(spans[k].first, spans[k].last);
+  kernel_.look(pieces.data(), count, verdicts, motions);
+  count_ += static_cast<std::int64_t>(count);
+  if (!holds_)
+    return;
+  std::array<PieceRates, MOST> rates;
+  ratesOf(pieces, spans, count, rates.data());
+  for (std::size_t k = 0; k < count; ++k)
+    hold(rates[k], verdicts[k]);
+}
+
+void PathLooks::rates(const CurveSpan* spans, std::size_t count, PieceRates* rates)
+{
+  Pieces pieces;
+  for (std::size_t k = 0; k < count; ++k)
+    pieces[k] = spans[k].curve->piece(spans[k].first, spans[k].last);
+  ratesOf(pieces, spans, count, rates);
+  rates_count_ += static_cast<std::int64_t>(count);
+}
+
+void PathLooks::ratesOf(const Pieces& pieces, const CurveSpan* spans, std::size_t count, PieceRates* rates) const
+{
+  std::array<SkewBox<double>, MOST> curvatures;
+  for (std::size_t k = 0; k < count; ++k)
+    curvatures[k] = spans[k].curve->curvatures(spans[k].first, spans[k].last);
+  kernel_.rates(pieces.data(), curvatures.data(), count, rates);
+}
+
+Interval PathLooks::atSpeed(const Span<double>& rate, Limit::Kind kind) const
+{
+  return Interval(rate.lower, rate.upper) * (kind == Limit::Kind::JOINT_SPEED ? speed_ : squared_speed_);
+}
+
+/// Every point of a piece is bad where one rate is above its limit at all of them.
+void PathLooks::hold(const PieceRates& rates, BoxVerdict& verdict) const
+{
+  bool keeps = true;
+  bool breaks = false;
+  forEachLimit(query_.limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
+    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind);
+    keeps = keeps && rate.upper() <= limit;
+    breaks = breaks || rate.lower() > limit;
+  });
+  if (breaks)
+    verdict = BoxVerdict::OUTSIDE;
+  else if (!keeps && verdict == BoxVerdict::INSIDE)
+    verdict = BoxVerdict::UNDECIDED;
+}
+
+std::vector<Limit> PathLooks::limitsAt(const Curve& curve, double t) const
+{
+  std::vector<Limit> limits;
+  if (!holds_)
+    return limits;
+  const CurvePiece piece = curve.piece(t, t);
+  const SkewBox<double> curvature = curve.curvatures(t, t);
+  PieceRates rates;
+  kernel_.rates(&piece, &curvature, 1, &rates);
+  forEachLimit(query_.limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
+    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind);
+    if (rate.isBounded())
+      limits.push_back({ kind, static_cast<int>(leg), rate, limit, Interval(limit) - rate });
+  });
+  return limits;
+}
+}  // namespace pkm_workspace
