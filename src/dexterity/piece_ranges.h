@@ -174,6 +174,15 @@ inline void scatter(const PieceRanges<Real>& ranges, PieceMotion* motions, std::
     }
 }
 
+/// What overflows, or is no number, bounds nothing.
+template <class Real>
+inline Span<double> laneOf(const Span<Real>& span, int lane)
+{
+  const double lower = span.lower.below(lane);
+  const double upper = span.upper.above(lane);
+  return { lower > 0.0 && lower < INF ? lower : 0.0, upper >= 0.0 ? upper : INF };
+}
+
 template <class Real>
 inline void scatter(const JointRates<Real>& found, PieceRates* rates, std::size_t count)
 {
@@ -181,8 +190,8 @@ inline void scatter(const JointRates<Real>& found, PieceRates* rates, std::size_
     for (std::size_t i = 0; i < 3; ++i)
     {
       const int k = static_cast<int>(lane);
-      rates[lane].speed[i] = { found.speed[i].lower.below(k), found.speed[i].upper.above(k) };
-      rates[lane].acceleration[i] = { found.acceleration[i].lower.below(k), found.acceleration[i].upper.above(k) };
+      rates[lane].speed[i] = laneOf(found.speed[i], k);
+      rates[lane].acceleration[i] = laneOf(found.acceleration[i], k);
     }
 }
 }  // namespace pkm_workspace

@@ -27,12 +27,11 @@ PathLooks::PathLooks(const BoxKernel& kernel, const PathQuery& query)
   , squared_speed_(sqr(speed_))
 {}
 
-bool PathLooks::isOver(std::int64_t count)
+bool PathLooks::isOver()
 {
-  const bool is_stopped = query_.stop != nullptr && *query_.stop;
-  const bool is_over = is_stopped || count >= query_.max_looks + pieces_ * query_.looks_per_piece;
+  const bool is_over = isStopped() || isSpent(count_);
   if (is_over)
-    end_ = is_stopped ? PathResult::End::STOPPED : PathResult::End::LOOKS;
+    end_ = isStopped() ? PathResult::End::STOPPED : PathResult::End::LOOKS;
   return is_over;
 }
 

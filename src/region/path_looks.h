@@ -53,9 +53,9 @@ public:
   /// Adds the share of so many pieces that a path has at first.
   void allowFor(std::int64_t pieces) { pieces_ += pieces; }
   /// Whether no more verdicts may be asked for.
-  bool isOver() { return isOver(count_); }
+  bool isOver();
   /// Whether no more rates may be asked for: they have a share of the same size for themselves.
-  bool isOverForRates() { return isOver(rates_count_); }
+  bool isOverForRates() const { return isStopped() || isSpent(rates_count_); }
 
   /// At most MOST pieces: whether they keep criterion and limits. @param motions may be nullptr
   void look(const CurveSpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions);
@@ -67,7 +67,8 @@ public:
 private:
   using Pieces = std::array<CurvePiece, MOST>;
 
-  bool isOver(std::int64_t count);
+  bool isStopped() const { return query_.stop != nullptr && *query_.stop; }
+  bool isSpent(std::int64_t looks) const { return looks >= query_.max_looks + pieces_ * query_.looks_per_piece; }
   void ratesOf(const Pieces& pieces, const CurveSpan* spans, std::size_t count, PieceRates* rates) const;
   /// The rate at the tool speed asked for.
   Interval atSpeed(const Span<double>& rate, Limit::Kind kind) const;

@@ -250,6 +250,20 @@ TEST(JointRates, theFeedOfAPathIsThatOfItsSlowestSegment)
   EXPECT_EQ(result.segments[result.slowest].rates->feed.lower, lower);
 }
 
+TEST(JointRates, ofTinyCirclesAreLarge)
+{
+  for (const double radius : { 1e-150, 1e-140, 1e-120, 1e-100, 1e-60 })
+  {
+    const PathSegment circle = PathSegment::arc({ radius, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.0);
+    JointRateLimits limits;
+    limits.acceleration = { 1.0, 1.0, 1.0 };
+    const PathResult result = checkPath(orthoglide(), Criterion(), { circle }, rated(limits));
+    EXPECT_NE(result.verdict, Containment::INSIDE) << radius;
+    EXPECT_GE(result.rates->joint_acceleration[0], 0.5 / radius) << radius;
+    EXPECT_LE(result.rates->feed.lower, 2.0 * std::sqrt(radius)) << radius;
+  }
+}
+
 TEST(JointRates, aStopLeavesABracketThatHolds)
 {
   const std::vector<PathSegment> path(300, PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.001, 0.0, 0.0 }));
