@@ -50,6 +50,7 @@ class Refused(Exception):
 
 TRIPLES = {"geometry_msgs/Point": Point, "geometry_msgs/Vector3": Vector3}
 CORNERS = {"search_box": "use_search_box", "box": "use_box"}
+SWITCHES = {"center": "use_center", "base_z": "use_base"}
 CHOICES = ("set", "aspect", "psi")
 
 
@@ -77,6 +78,8 @@ def read_value(message, name, value):
     kind = TRIPLES.get(slot)
     if kind and not isinstance(value, kind):
         return kind(*value)
+    if name == "vertices":
+        return [point if isinstance(point, Point) else Point(*point) for point in value]
     if name == "joint_limits" and isinstance(value, bool):
         return CriterionRequest.ON if value else CriterionRequest.OFF
     if name in CHOICES and isinstance(value, str):
@@ -99,8 +102,12 @@ def fill(message, criterion=None, frame="", **fields):
             message.min_corner, message.max_corner = (Point(*corner) for corner in value)
         elif name == "ratio" and "ratio_min" in own:
             message.ratio_min, message.ratio_max = value
+        elif name == "footprint" and "footprint_x" in own:
+            message.footprint_x, message.footprint_y = value
         elif name in own:
             setattr(message, name, read_value(message, name, value))
+            if SWITCHES.get(name) in own:
+                setattr(message, SWITCHES[name], True)
         elif name in CriterionRequest.__slots__:
             setattr(message.criterion, name, read_value(message.criterion, name, value))
         else:
@@ -217,6 +224,10 @@ class Client:
     def check_box(self, center, sides, frame="", criterion=None, **fields):
         """Whether all of a box is good. Sides are along the axes of the frame."""
         return self.check_solid(center, SolidPrimitive(SolidPrimitive.BOX, list(sides)), frame, criterion, **fields)
+
+    def check_polytope(self, center, vertices, frame="", criterion=None, **fields):
+        """Whether all of the convex hull of points is good, as seen from its center."""
+        return self.check_solid(center, SolidPrimitive(), frame, criterion, vertices=vertices, **fields)
 
     def check_solid(self, center, solid, frame="", criterion=None, **fields):
         """The same for any SolidPrimitive but a cone."""

@@ -93,6 +93,7 @@ public:
     json["center"] = toJson(*center_);
     json["shape"] = solid.shape->name();
     json["dimensions"] = solid.shape->dimensions(solid.size);
+    addVertices(*solid.shape, solid.size, json);
     if (body_.sides())
       json["sides"] = toJson(*body_.sides());
     json["bad_point"] = result.bad_point ? toJson(*result.bad_point) : Json();
@@ -144,6 +145,8 @@ private:
     const std::vector<double> lengths = solid.shape->dimensions(solid.size);
     if (lengths.size() == 3)
       return "sides " + describe(Eigen::Vector3d(lengths[0], lengths[1], lengths[2]));
+    if (lengths.empty())
+      return "size " + exact(solid.size);
     const std::string radius = "radius " + exact(lengths.back()) + " m";
     return lengths.size() == 1 ? radius : "height " + exact(lengths[0]) + " m, " + radius;
   }

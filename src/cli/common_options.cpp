@@ -23,6 +23,11 @@ constexpr const char* TCP_LINKS_HELP =
 constexpr const char* TOOL_LINK_HELP =
     "name of a link fixed to the platform that is the tool point (a spindle's tip); without it, where the legs meet";
 
+constexpr const char* TOOL_HELP =
+    "in place of --tool-link, the tool's tip seen from where the legs meet, along the axes of the root link: all "
+    "answers "
+    "are about the tip";
+
 /// "psi-min" of "psi_min".
 std::string optionOf(std::string name)
 {
@@ -43,8 +48,9 @@ void MachineOptions::declare(Options& options)
   options.texts("rails", names_.rails, "JOINT JOINT JOINT", RAILS_HELP);
   options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK", TCP_LINKS_HELP);
   options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
+  options.vector("tool", names_.tool, "X Y Z", LENGTH, TOOL_HELP);
   options.require({ "urdf" });
-  options.check({ "urdf", "rails", "tcp-links", "tool-link" }, [this](Problems& problems) {
+  options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool" }, [this](Problems& problems) {
     try
     {
       urdf_ = readUrdfFile(path_, names_);
@@ -67,6 +73,12 @@ void assign(const Words& words, std::string& target)
 {
   target = words[0];
 }
+
+void assign(const Words& words, std::optional<Eigen::Vector3d>& target)
+{
+  const std::vector<double> numbers = readNumbers(words, LENGTH);
+  target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
 }  // namespace
 
 template <class Member>
@@ -77,7 +89,7 @@ void MachinesOptions::declareNames(Options& options, const std::string& name, co
     if (requests_.empty())
       throw std::invalid_argument("give it after the --urdf FILE that it is about");
     auto& names = *member(requests_.back().names);
-    if (!names.empty())
+    if (names != std::decay_t<decltype(names)>())
       throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
     assign(words, names);
   });
@@ -89,6 +101,8 @@ void MachinesOptions::declare(Options& options)
   declareNames(options, "rails", "JOINT JOINT JOINT", RAILS_HELP, [](UrdfOptions& all) { return &all.rails; });
   declareNames(options, "tcp-links", "LINK LINK LINK", TCP_LINKS_HELP, [](UrdfOptions& all) { return &all.tcp_links; });
   declareNames(options, "tool-link", "LINK", TOOL_LINK_HELP, [](UrdfOptions& all) { return &all.tool_link; });
+  declareNames(options, "tool", "X Y Z", std::string(TOOL_HELP) + "; each " + LENGTH.describe(),
+               [](UrdfOptions& all) { return &all.tool; });
   options.check({}, [this](Problems& problems) {
     for (const Request& request : requests_)
       try
@@ -117,27 +131,6 @@ Words MachinesOptions::warnings() const
     for (const std::string& remark : remarksOn(machine))
       all.push_back(remark);
   return all;
-}
-
-void ShapeOptions::declare(Options& options, RegionQuery& query)
-{
-  Words names = shapeNames();
-  names.push_back("cylinder");
-  options.choice("shape", name_, names, "what to look for; a square and a disc lie in the plane xy");
-  options.vector("proportions", proportions_, "A B C", NUMBER_NOT_NEGATIVE,
-                 "of a box: its sides are size A, size B and size C, in metres");
-  options.range("ratio", ratio_, NUMBER_POSITIVE,
-                "of a cylinder: least and largest radius over height; the one of the largest volume is found");
-  options.check({ "shape", "proportions", "ratio" }, [this, &query](Problems& problems) {
-    try
-    {
-      setShape(name_, proportions_, ratio_, query);
-    }
-    catch (const std::invalid_argument& reason)
-    {
-      problems.push_back(reason.what());
-    }
-  });
 }
 
 void declareCriterion(Options& options, Criterion& criterion)
@@ -178,7 +171,7 @@ void declareCriterion(Options& options, Criterion& criterion, MachineOptions& ma
       "in place of --psi-min and --psi-max: bounds [1/f, f], f twice as much as at the best point of the machine",
       [](const Words& words) { readChoice(words[0], { "auto" }); });
   Words names = criterionOptions();
-  names.insert(names.end(), { "psi", "urdf", "rails", "tcp-links", "tool-link" });
+  names.insert(names.end(), { "psi", "urdf", "rails", "tcp-links", "tool-link", "tool" });
   options.check(names, [&criterion, &options, &machine, counts](Problems& problems) {
     const bool is_given = options.given("psi-min") || options.given("psi-max");
     if (options.given("psi") && (is_given || criterion.set == Criterion::Set::REACHABLE))

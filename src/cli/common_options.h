@@ -17,7 +17,8 @@ namespace cli
 /// What is in a URDF and not used, and what was made of it that a user may not expect.
 Words remarksOn(const UrdfMachine& urdf);
 
-/// --urdf, --rails, --tcp-links, --tool-link: read while the options are, so that all problems are told at once.
+/// --urdf, --rails, --tcp-links, --tool-link, --tool: read while the options are, so that all problems are told at
+/// once.
 class MachineOptions
 {
 public:
@@ -68,19 +69,6 @@ private:
 
   std::vector<Request> requests_;
   std::vector<UrdfMachine> machines_;
-};
-
-/// --shape, --proportions, --ratio.
-class ShapeOptions
-{
-public:
-  /// Sets the shape and ratio of the query.
-  void declare(Options& options, RegionQuery& query);
-
-private:
-  std::string name_ = "cube";
-  std::optional<Eigen::Vector3d> proportions_;
-  std::optional<RatioRange> ratio_;
 };
 
 /// --set, --aspect, one option for each bound, --joint-limits. Sets the criterion, the default too.

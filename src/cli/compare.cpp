@@ -8,6 +8,7 @@
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/report/largest_sentence.h"
 #include "progress.h"
+#include "shape_options.h"
 
 namespace pkm_workspace
 {
@@ -143,7 +144,8 @@ public:
     });
     options.check({ "paper" }, [this, &options](Problems& problems) {
       Words fixed = criterionOptions();
-      fixed.insert(fixed.end(), { "shape", "proportions", "ratio", "multi-precision" });
+      fixed.insert(fixed.end(),
+                   { "shape", "proportions", "ratio", "radius", "height", "footprint", "vertices", "multi-precision" });
       for (const std::string& name : fixed)
         if (paper_ && options.given(name))
           problems.push_back("with --paper, all of this is as in the paper: leave out --" + name);

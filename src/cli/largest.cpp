@@ -5,9 +5,10 @@
 #include "common_options.h"
 #include "output.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/solid.h"
 #include "pkm_workspace/report/largest_sentence.h"
 #include "progress.h"
+#include "shape_options.h"
 
 namespace pkm_workspace
 {
@@ -21,10 +22,13 @@ Json answerJson(const Machine& machine, const RegionQuery& query, const LargestR
   const bool found = region.size > 0.0;
   Json json = contextOf(machine, query.criterion);
   json["status"] = name(region.status);
-  json["shape"] = shape.name();
+  const CenteredSolid solid = centeredSolid(shape, region.center, region.size);
+  json["shape"] = shape.kind();
   json["accuracy"] = query.accuracy;
-  json["center"] = found ? toJson(region.center) : Json();
-  json["dimensions"] = found ? Json(shape.dimensions(region.size)) : Json();
+  json["center"] = found ? toJson(solid.center) : Json();
+  json["dimensions"] = found ? Json(solid.dimensions) : Json();
+  addVertices(shape, region.size, json);
+  json["base_z"] = query.base_z ? Json(*query.base_z) : Json();
   json["size"] = region.size;
   json["size_upper_bound"] = region.size_upper_bound;
   json["joint_ranges"] = found ? toJson(machine, region.joint_ranges) : Json::array();
@@ -69,14 +73,16 @@ public:
     return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which "
            "that is proved, and an upper bound above which no such region exists, wherever its center. Along "
            "parallel rails the center has the height of the zero configuration, or of the middle of --search-box; as "
-           "near to it as the joint limits let the region. Ctrl-C ends the search with the best proved so far.";
+           "near to it as the joint limits let the region. With --base-z the region stands on that height. Ctrl-C ends "
+           "the search with the best proved so far.";
   }
 
   Words examples() const override
   {
     return { "pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4",
              "pkm largest --urdf uranesx.urdf --shape square",
-             "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits off --json" };
+             "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits off --json",
+             "pkm largest --urdf orthoglide.urdf --shape cylinder --radius 0.2 --base-z 0" };
   }
 
   void declare(Options& options) override
@@ -87,15 +93,10 @@ public:
     accuracy_.declare(options,
                       "largest difference between the proved size and its upper bound (of a box: in factors; of a "
                       "cylinder of free ratio: by how much its height would grow with its volume)");
-    options.box("search-box", query_.search_box, "where the center may be; without it, anywhere");
-    options.vector("center", center_, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
+    place_.declare(options, query_);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     declareBudget(options, query_.budget);
     options.flag("progress", progress_, PROGRESS_HELP);
-    options.check({ "search-box", "center" }, [this](Problems& problems) {
-      if (query_.search_box && center_)
-        problems.push_back("only one of the two can be given");
-    });
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -116,8 +117,7 @@ public:
                     ", " + std::to_string(state.boxes_done) + " boxes done, " + std::to_string(state.boxes_open) +
                     " open");
     };
-    const LargestRegion region =
-        center_ ? largestRegionAt(machine, query_, *center_) : findLargestRegion(machine, query_);
+    const LargestRegion region = findLargestRegion(machine, query_);
     return { answerJson(machine, query_, region), print(region) };
   }
 
@@ -132,8 +132,10 @@ private:
       rows.push_back({ "upper bound", roundedUp(region.size_upper_bound, decimals) });
     if (region.size > 0.0)
     {
-      rows.push_back({ "center", describe(region.center) });
-      rows.push_back({ "dimensions", dimensions(shape, region.size, decimals) });
+      const CenteredSolid solid = centeredSolid(shape, region.center, region.size);
+      rows.push_back({ "center", describe(solid.center) });
+      if (!shape.isPolytope())
+        rows.push_back({ "dimensions", dimensions(shape, solid.dimensions, decimals) });
     }
     if (region.ratio || (region.size > 0.0 && isSolid(shape)))
       rows.push_back({ "volume", bracket(region.volume, region.volume_upper_bound) + " m^3" });
@@ -142,15 +144,15 @@ private:
     text += aligned(rows, Align::LEFT) + "\n";
     if (region.size > 0.0)
       text += table(machine_.machine(), region.joint_ranges, decimals) + "\n";
-    return text + wrapped(describe(region, machine_.machine(), query_, center_.has_value())) +
+    return text + wrapped(describe(region, machine_.machine(), query_)) +
            wrapped(definition(machine_.machine(), query_.criterion)) +
            wrapped(remarkOnLimits(machine_.machine(), query_.criterion, reachOver(region)));
   }
 
-  static std::string dimensions(const Shape& shape, double size, int decimals)
+  static std::string dimensions(const Shape& shape, const std::vector<double>& of, int decimals)
   {
     Words sides;
-    for (const double side : shape.dimensions(size))
+    for (const double side : of)
       sides.push_back(roundedDown(side, decimals));
     const char* const of_round = sides.size() == 1 ? ", the radius" : ", height x radius";
     return joined(sides, " x ") + " m" + (shape.isBox() ? "" : of_round);
@@ -162,7 +164,7 @@ private:
   bool progress_ = false;
   bool multi_precision_ = false;
   ShapeOptions shape_;
-  std::optional<Eigen::Vector3d> center_;
+  PlaceOptions place_;
 };
 }  // namespace
 

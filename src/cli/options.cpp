@@ -119,6 +119,15 @@ void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& ta
   });
 }
 
+void Options::pair(const std::string& name, std::optional<std::array<double, 2>>& target, const std::string& values,
+                   const Quantity& quantity, const std::string& help)
+{
+  add(name, values, help + "; each " + quantity.describe(), [&target, quantity](const Words& words) {
+    const std::vector<double> numbers = readNumbers(words, quantity);
+    target = std::array<double, 2>{ numbers[0], numbers[1] };
+  });
+}
+
 void Options::range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
                     const std::string& help)
 {

@@ -58,6 +58,8 @@ public:
   }
   void vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
               const Quantity& quantity, const std::string& help);
+  void pair(const std::string& name, std::optional<std::array<double, 2>>& target, const std::string& values,
+            const Quantity& quantity, const std::string& help);
   /// Two numbers, the least one first.
   void range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
              const std::string& help);

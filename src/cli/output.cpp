@@ -160,6 +160,15 @@ void addLimits(const Machine& machine, const Criterion& criterion, const std::op
     json["beyond_limits"] = toJson(machine, beyondLimits(machine, reaches));
 }
 
+void addVertices(const Shape& shape, double size, Json& json)
+{
+  if (!shape.isPolytope())
+    return;
+  json["size"] = size;
+  for (const GrowingVector& vertex : shape.extremePoints())
+    json["vertices"].push_back(toJson(vertex.per_size));
+}
+
 bool isSolid(const Shape& shape)
 {
   return (shape.halfExtents().at(1.0).array() > 0.0).all();

@@ -48,6 +48,8 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges);
 
 /// Whether its volume is more than 0.
 bool isSolid(const Shape& shape);
+/// Of a polytope, what the region is with its center: "vertices", times "size".
+void addVertices(const Shape& shape, double size, Json& json);
 /// "inside", "outside" or "undecided".
 std::string name(Containment verdict);
 /// "proven", "stopped" or "none".

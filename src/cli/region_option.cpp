@@ -9,7 +9,7 @@ namespace cli
 {
 void BodyOption::declare(Options& options)
 {
-  options_.declare(options, query_);
+  options_.declareOfSize(options, query_);
   options.number("size", size_, LENGTH_POSITIVE,
                  "edge, radius, factor or height of the region, as pkm largest tells it");
   options.vector("sides", sides_, "A B C", LENGTH_NOT_NEGATIVE,
@@ -17,8 +17,9 @@ void BodyOption::declare(Options& options)
   options.number("radius", radius_, LENGTH_NOT_NEGATIVE,
                  "in place of --shape and --size, of a sphere; with --height, of a cylinder along z");
   options.number("height", height_, LENGTH_NOT_NEGATIVE, "of the cylinder whose --radius is given");
-  options.check({ "shape", "proportions", "ratio", "size" }, [this, &options](Problems& problems) {
-    if (!size_ && (options.given("shape") || options.given("proportions") || options.given("ratio")))
+  options.check({ "shape", "proportions", "ratio", "vertices", "size" }, [this, &options](Problems& problems) {
+    if (!size_ &&
+        (options.given("shape") || options.given("proportions") || options.given("ratio") || options.given("vertices")))
       problems.push_back("--shape needs --size: they give a region together");
     if (query_.ratio)
       problems.push_back("--ratio of a region that is given is one number: give it twice");

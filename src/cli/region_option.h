@@ -3,6 +3,7 @@
 
 #include "common_options.h"
 #include "pkm_workspace/tasks/placed_solid.h"
+#include "shape_options.h"
 
 namespace pkm_workspace
 {

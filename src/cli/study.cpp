@@ -8,6 +8,7 @@
 #include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/study/best_parameter.h"
 #include "progress.h"
+#include "shape_options.h"
 
 namespace pkm_workspace
 {
@@ -68,7 +69,7 @@ public:
     machines_.declare(options);
     options.range("range", range_, Quantity(), "least and largest parameter, in metres; of a share, without unit");
     options.require({ "range" });
-    shape_.declare(options, query_.region);
+    shape_.declareOfSize(options, query_.region);
     declareCriterion(options, query_.region.criterion);
     accuracy_.declare(options, "largest difference between the best machine's proved size and the upper bound of all");
     options.count("parts", parts_, 100000, "parts of the range whose largest sizes are told too; without it, none");

@@ -167,6 +167,16 @@ public:
     return along(sides_, 0, size) * along(sides_, 1, size) * along(sides_, 2, size);
   }
 
+  ShapePtr standing() const override
+  {
+    GrowingVector lower = lower_;
+    GrowingVector upper = upper_;
+    lower.fixed.z() = lower.per_size.z() = 0.0;
+    upper.fixed.z() = sides_.fixed.z();
+    upper.per_size.z() = sides_.per_size.z();
+    return std::make_shared<BoxShape>(name_, size_meaning_, lower, upper);
+  }
+
 private:
   /// How many sides of a region a point may be beyond, in floating point and not counting those in doubt.
   int sidesLeft(const Eigen::Vector3d& point, const Box& centers, double size) const

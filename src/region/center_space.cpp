@@ -29,10 +29,8 @@ bool isFreeAlongRails(const Machine& machine, const RegionQuery& query)
 Box centersAcrossRails(const Machine& machine, const RegionQuery& query)
 {
   const int axis = mainAxisOfRails(machine);
-  if (!query.search_box)
-    return boundsAcrossRails(machine, query.criterion, axis, machine.zero()[axis]);
-  const double level = query.search_box->center()[axis];
-  return intersection(boundsAcrossRails(machine, query.criterion, axis, level), *query.search_box);
+  const Box across = boundsAcrossRails(machine, query.criterion, axis, query.levelAlong(axis, machine));
+  return query.search_box ? intersection(across, *query.search_box) : across;
 }
 
 /// No region is larger by what its points leave each other.

@@ -38,12 +38,17 @@ ShapePtr makeCylinderOfHeight(double height)
                                       Growing<double>{ 0.0, 1.0 }, given);
 }
 
-ShapePtr makeBoxOnBase(double x, double y)
+ShapePtr makeBoxOfFootprint(double x, double y)
 {
   requireLength("side along x", x);
   requireLength("side along y", y);
-  const Vector3d half(0.5 * x, 0.5 * y, 0.0);
+  const GrowingVector half{ Vector3d(0.5 * x, 0.5 * y, 0.0), 0.5 * Vector3d::UnitZ() };
   return std::make_shared<BoxShape>("box on a base of " + exact(x) + " m x " + exact(y) + " m", "height [m]",
-                                    GrowingVector{ -half, Vector3d::Zero() }, GrowingVector{ half, Vector3d::UnitZ() });
+                                    -1.0 * half, half);
+}
+
+ShapePtr makeBoxOnBase(double x, double y)
+{
+  return makeBoxOfFootprint(x, y)->standing();
 }
 }  // namespace pkm_workspace

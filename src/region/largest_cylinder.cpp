@@ -128,7 +128,7 @@ private:
     const double ratio = std::min(upper, std::max(lower, std::cbrt(lower) * std::cbrt(upper) * std::cbrt(upper)));
     RegionQuery query = query_;
     query.ratio.reset();
-    query.shape = makeCylinder(ratio);
+    query.shape = cylinderOf(ratio);
     query.accuracy = SHARE * query_.accuracy;
     query.progress = nullptr;
     query.closed = nullptr;
@@ -142,6 +142,12 @@ private:
     open_.put({ lower, upper, std::min(known, (height * sqr(height) * factor).upper()) });
     keep(region, query.shape);
     tellProgress();
+  }
+
+  ShapePtr cylinderOf(double ratio) const
+  {
+    const ShapePtr about_center = makeCylinder(ratio);
+    return query_.base_z ? about_center->standing() : about_center;
   }
 
   /// Takes the region if its volume is the largest so far.

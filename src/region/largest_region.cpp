@@ -7,9 +7,9 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/interval/decimal.h"
-#include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_search.h"
 #include "pkm_workspace/region/largest_cylinder.h"
+#include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_height.h"
 
 namespace pkm_workspace
@@ -38,6 +38,26 @@ void RegionQuery::validate(Problems& problems) const
     validateBox("search_box", *search_box, problems);
 }
 
+bool RegionQuery::bounds(int axis) const
+{
+  return search_box && search_box->upper[axis] - search_box->lower[axis] < 2.0 * FARTHEST;
+}
+
+double RegionQuery::levelAlong(int axis, const Machine& machine) const
+{
+  return bounds(axis) ? search_box->center()[axis] : machine.zero()[axis];
+}
+
+std::string RegionQuery::place() const
+{
+  if (base_z)
+    return "standing on z = " + exact(*base_z) + " m" +
+           (hasSearchBox() ? " with the middle of its base in the search box" : "");
+  return !search_box                              ? "wherever its center"
+         : search_box->lower == search_box->upper ? "with this center"
+                                                  : "with its center in the search box";
+}
+
 AccuracyRange accuracyRange(const Machine& machine, const Shape& shape)
 {
   const double unit = machine.scale() / (2.0 * shape.halfExtents().per_size.maxCoeff());
@@ -47,7 +67,8 @@ AccuracyRange accuracyRange(const Machine& machine, const Shape& shape)
 double defaultAccuracy(const Machine& machine, const Shape& shape)
 {
   const AccuracyRange allowed = accuracyRange(machine, shape);
-  return std::clamp(defaultAccuracy(machine), allowed.finest, allowed.coarsest);
+  const double unit = shape.isPolytope() ? 2.0 * shape.halfExtents().per_size.maxCoeff() : 1.0;
+  return std::clamp(defaultAccuracy(machine) / unit, allowed.finest, allowed.coarsest);
 }
 
 void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems)
@@ -57,34 +78,6 @@ void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems
     complain(problems, "accuracy = ", query.accuracy, " (in the unit of the size, m for edges) must be from ",
              nearly(allowed.finest, 6), " to ", nearly(allowed.coarsest, 6),
              " for this machine, whose longest strut is ", machine.scale(), " m");
-}
-
-void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
-              const std::optional<RatioRange>& ratio, RegionQuery& query)
-{
-  query.ratio.reset();
-  if (name != "cylinder" && !ratio)
-  {
-    query.shape = makeShape(name, proportions);
-    return;
-  }
-  if (name != "cylinder")
-    throw std::invalid_argument("a ratio is for the shape cylinder only, the shape is " + name);
-  if (!ratio)
-    throw std::invalid_argument("shape = cylinder needs a ratio: the least and the largest of radius over height");
-  if (!(ratio->lower <= ratio->upper))
-  {
-    TextStream text;
-    text << "ratio = [" << ratio->lower << ", " << ratio->upper << "] must have the least one first";
-    throw std::invalid_argument(text.str());
-  }
-  const ShapePtr least = makeCylinder(ratio->lower);
-  const ShapePtr largest = makeCylinder(ratio->upper);
-  query.shape = largest;
-  if (ratio->lower < ratio->upper)
-    query.ratio = ratio;
-  if (proportions && *proportions != 2.0 * largest->halfExtents().per_size)
-    throw std::invalid_argument("proportions are for the shape box only, the shape is cylinder");
 }
 
 namespace
@@ -162,6 +155,7 @@ LargestRegion largestRegionAt(const Machine& machine, const RegionQuery& query, 
 {
   RegionQuery at_center = query;
   at_center.search_box = Box{ center, center };
+  at_center.base_z.reset();
   return findLargestRegion(machine, at_center);
 }
 }  // namespace pkm_workspace

@@ -32,7 +32,7 @@ RailTravel::RailTravel(const Machine& machine, const RegionQuery& query, double 
     senses_[leg] = parallelSense(machine.leg(0), machine.leg(i));
     limits_[leg] = criterion_.joint_limits ? Interval(senses_[leg]) * machine.leg(i).limits : Interval::entire();
   }
-  level_ = search_box_ ? search_box_->center()[axis_] : machine.zero()[axis_];
+  level_ = query.levelAlong(axis_, machine);
   places_ = placesAt(level_);
   binds_ = search_box_ || !alwaysLeavesTravel(size_bound);
   for (int round = 0; binds_ && places_.isValid() && round < 2; ++round)

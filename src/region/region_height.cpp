@@ -68,7 +68,7 @@ void settleHeight(const Machine& machine, const RegionQuery& query, const Runnin
     return;
   const int axis = mainAxisOfRails(machine);
   const Vector3d e = mid(directionOfRails(machine));
-  const double height = query.search_box ? query.search_box->center()[axis] : machine.zero()[axis];
+  const double height = query.levelAlong(axis, machine);
   const double wanted = (height - region.center[axis]) / e[axis];
   const Interval travel = travelOf(machine, query, region);
   const double slack = query.criterion.joint_limits ? SLACK * machine.scale() : 0.0;

@@ -204,6 +204,16 @@ public:
     return round_ == 3 ? Interval(4.0) / Interval(3.0) * section * radius(size) : height(size) * section;
   }
 
+  ShapePtr standing() const override
+  {
+    if (round_ == 3)
+      return nullptr;
+    const Heights above{
+      { 0.0, 0.0 }, { heights_.upper.fixed - heights_.lower.fixed, heights_.upper.per_size - heights_.lower.per_size }
+    };
+    return std::make_shared<RoundShape>(name_, size_meaning_, round_, radius_, above);
+  }
+
 private:
   Interval radius(double size) const { return encloseAt(radius_, size); }
   Interval height(double size) const

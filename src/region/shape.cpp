@@ -39,7 +39,7 @@ std::string listOfNames()
   std::string list;
   for (const NamedShape& shape : SHAPES)
     list += shape.name + std::string(", ");
-  return list.substr(0, list.size() - 2) + " or cylinder";
+  return list.substr(0, list.size() - 2) + ", cylinder or polytope";
 }
 }  // namespace
 
@@ -66,6 +66,12 @@ ShapePtr makeShape(const std::string& name, const Proportions& proportions)
     throw std::invalid_argument(text.str());
   }
   return shape;
+}
+
+std::string Shape::kind() const
+{
+  const std::string full = name();
+  return full.substr(0, full.find(' '));
 }
 
 std::vector<Circle> Shape::extremeCircles(const Eigen::Vector3d&, double) const

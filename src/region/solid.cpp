@@ -36,6 +36,23 @@ Solid cylinder(double height, double radius)
 }
 }  // namespace
 
+CenteredSolid centeredSolid(const Shape& shape, const Eigen::Vector3d& center, double size)
+{
+  CenteredSolid solid{ center, shape.dimensions(size) };
+  const Interval from = encloseAt(shape.lower(), size)[2];
+  const Interval to = encloseAt(shape.upper(), size)[2];
+  if (from == -to || solid.dimensions.empty())
+    return solid;
+  const double lowest = (Interval(center.z()) + from).upper();
+  const double highest = (Interval(center.z()) + to).lower();
+  double& middle = solid.center.z();
+  middle = lowest + 0.5 * (highest - lowest);
+  const double half =
+      std::min((Interval(highest) - Interval(middle)).lower(), (Interval(middle) - Interval(lowest)).lower());
+  (shape.isBox() ? solid.dimensions.back() : solid.dimensions.front()) = std::max(0.0, 2.0 * half);
+  return solid;
+}
+
 Solid makeSolid(SolidKind kind, const std::vector<double>& d)
 {
   switch (kind)

@@ -39,16 +39,14 @@ int decimalsOf(const LargestRegion& region, double accuracy)
   return decimalsFor(region.size, region.ratio ? region.size + accuracy : region.size_upper_bound);
 }
 
-std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query, bool at_center)
+std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query)
 {
   const std::string good = quality(query.criterion);
+  const std::string base = query.base_z ? ", standing on z = " + exact(*query.base_z) + " m," : "";
   const std::string found =
-      "every point of the " + region.shape->name() + " with this center and size is " + good + "; ";
-  const std::string where = at_center          ? "with this center"
-                            : query.search_box ? "with its center in the search box"
-                                               : "wherever its center";
+      "every point of the " + region.shape->name() + " with this center and size" + base + " is " + good + "; ";
   return "Proved: " + (region.size > 0.0 ? found : "") + "no " + tooLarge(region, decimalsOf(region, query.accuracy)) +
-         ", " + where + ", has all its points " + good + "." +
+         ", " + query.place() + ", has all its points " + good + "." +
          (slidesAlongRails(machine, query.criterion) ? " The rails are parallel: the same holds all along them." : "");
 }
 }  // namespace pkm_workspace

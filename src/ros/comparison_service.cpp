@@ -73,7 +73,7 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   if (!request.query.header.frame_id.empty())
     throw std::invalid_argument("header.frame_id = '" + request.query.header.frame_id +
                                 "' must be empty: each machine is looked at in the frame of its own root link");
-  RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters.shape,
+  RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters,
                                   context_.parameters.query.budget.time_limit);
   std::vector<FramedMachine> machines = readMachines(request.urdfs);
   machines.insert(machines.begin(), context_.frames.root());

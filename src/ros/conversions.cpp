@@ -59,24 +59,65 @@ Eigen::Vector3d proportionsOf(const Shape& shape)
   return 2.0 * shape.halfExtents().per_size;
 }
 
-/// Sets the shape unless the request leaves it as it is.
-void readShape(const RegionRequest& request, const ShapeDefaults& defaults, RegionQuery& query)
+std::optional<double> givenOf(double value)
 {
-  const std::string own = query.shape->name();
+  return value == 0.0 ? std::nullopt : std::optional(value);
+}
+
+/// The shape that a request asks for, with its own measures.
+ShapeWish shapeOf(const RegionRequest& request)
+{
+  const auto require_both = [](const char* names, double first, double second) {
+    if ((first == 0.0) != (second == 0.0))
+      throw std::invalid_argument(std::string(names) + " must both be given, or both be 0: one of them is 0");
+    return first != 0.0;
+  };
+  ShapeWish wish;
+  wish.name = request.shape;
   const Eigen::Vector3d sides(request.proportions.x, request.proportions.y, request.proportions.z);
-  std::optional<Eigen::Vector3d> proportions;
-  std::optional<RatioRange> ratio;
   if (sides != Eigen::Vector3d::Zero())
-    proportions = sides;
-  if ((request.ratio_min == 0.0) != (request.ratio_max == 0.0))
-    throw std::invalid_argument("ratio_min and ratio_max must both be given, or both be 0: one of them is 0");
-  if (request.ratio_min != 0.0)
-    ratio = RatioRange{ request.ratio_min, request.ratio_max };
-  if (!proportions && !ratio && (request.shape.empty() || request.shape == own))
-    return;
-  const std::string shape = request.shape.empty() ? own : request.shape;
-  setShape(shape, proportions ? proportions : defaults.proportionsFor(shape), ratio ? ratio : defaults.ratioFor(shape),
-           query);
+    wish.proportions = sides;
+  if (require_both("ratio_min and ratio_max", request.ratio_min, request.ratio_max))
+    wish.ratio = RatioRange{ request.ratio_min, request.ratio_max };
+  if (require_both("footprint_x and footprint_y", request.footprint_x, request.footprint_y))
+    wish.footprint = std::array<double, 2>{ request.footprint_x, request.footprint_y };
+  for (const geometry_msgs::Point& vertex : request.vertices)
+    wish.vertices.push_back(fromMessage(vertex));
+  wish.radius = givenOf(request.radius);
+  wish.height = givenOf(request.height);
+  return wish;
+}
+
+/// The same with what the node has where the request leaves it.
+ShapeWish shapeOf(const RegionRequest& request, const ShapeWish& own)
+{
+  ShapeWish wish = shapeOf(request);
+  if (wish.name.empty())
+    wish.name = own.name;
+  return wish.hasMeasures() ? wish : own.as(wish.name);
+}
+
+/// Where the region may be: as the request says, or else as the node has it and the shape can.
+PlaceWish placeOf(const RegionRequest& request, const PlaceWish& own, const Shape& shape, Problems& problems)
+{
+  PlaceWish wish;
+  wish.search_box =
+      readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems);
+  const Eigen::Vector3d center = fromMessage(request.center);
+  if (request.use_center)
+    wish.center = center;
+  else if (center != Eigen::Vector3d::Zero())
+    problems.push_back("center must be 0 [m] unless use_center");
+  if (request.use_base)
+    wish.base_z = request.base_z;
+  else if (request.base_z != 0.0)
+    problems.push_back("base_z must be 0 [m] unless use_base");
+  if (request.use_search_box || request.use_center || request.use_base)
+    return wish;
+  wish = own;
+  if (!shape.standing())
+    wish.base_z.reset();
+  return wish;
 }
 
 RailRange railRange(const JointRange& range, const std::string& joint)
@@ -122,13 +163,17 @@ std::uint8_t solidType(const Shape& shape)
 void describeRegion(const LargestRegion& region, const Shape& shape, Region& message)
 {
   const Eigen::Vector3d proportions = proportionsOf(shape);
-  message.shape = shape.name();
+  message.shape = shape.kind();
   message.proportions.x = proportions.x();
   message.proportions.y = proportions.y();
   message.proportions.z = proportions.z();
-  message.solid.type = solidType(shape);
-  message.solid.dimensions = shape.dimensions(region.size);
-  message.center = toMessage(region.center);
+  const CenteredSolid solid = centeredSolid(shape, region.center, region.size);
+  if (!shape.isPolytope())
+    message.solid.type = solidType(shape);
+  for (const GrowingVector& vertex : shape.isPolytope() ? shape.extremePoints() : std::vector<GrowingVector>())
+    message.vertices.push_back(toMessage(vertex.per_size));
+  message.solid.dimensions = solid.dimensions;
+  message.center = toMessage(solid.center);
   message.size = region.size;
   message.size_upper_bound = region.size_upper_bound;
   message.volume = region.volume;
@@ -139,24 +184,23 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
 }  // namespace
 
 RegionQuery fromMessage(const RegionRequest& request, const Machine& machine, const RegionQuery& defaults,
-                        const ShapeDefaults& shape, double longest)
+                        const Parameters& own, double longest)
 {
   RegionQuery query = defaults;
   Problems problems;
   try
   {
-    readShape(request, shape, query);
+    setShape(shapeOf(request, own.shape), query);
+    setPlace(placeOf(request, own.place, *query.shape, problems), query);
   }
   catch (const std::invalid_argument& error)
   {
     problems.push_back(error.what());
   }
-  if (const auto corners =
-          readCorners(request.use_search_box, request.min_corner, request.max_corner, "use_search_box", problems))
-    query.search_box = corners;
   query.criterion = fromMessage(request.criterion, machine, defaults.criterion, problems);
   query.precision = request.multi_precision ? Precision::MULTIPLE : Precision::DOUBLE;
-  query.accuracy = valueOr(request.accuracy, defaults.accuracy);
+  const bool is_own = query.shape->isPolytope() && own.accuracy == 0.0;  // of a size that nobody had in mind
+  query.accuracy = valueOr(request.accuracy, is_own ? defaultAccuracy(machine, *query.shape) : defaults.accuracy);
   query.budget.time_limit = timeLimitOf(request.time_limit, defaults.budget.time_limit, longest, problems);
   query.validate(problems);
   throwProblems(problems);
@@ -181,7 +225,9 @@ Region toMessage(const Answer& answer, const ros::Time& stamp)
   message.hypotheses = toMessage(answer.question.in.premises(query.criterion), query.accuracy);
   message.status = constantOf(region.status);
   describeRegion(region, *region.shape, message);
-  if (query.search_box)
+  message.use_base = query.base_z.has_value();
+  message.base_z = query.base_z.value_or(0.0);
+  if (query.hasSearchBox())
   {
     message.use_search_box = true;
     message.min_corner = toMessage(query.search_box->lower);
@@ -203,6 +249,8 @@ JointRanges jointRangesOf(const Region& region)
   message.hypotheses = region.hypotheses;
   message.solid = region.solid;
   message.center = region.center;
+  message.vertices = region.vertices;
+  message.size = region.size;
   message.rails = region.joint_ranges;
   return message;
 }
@@ -213,9 +261,11 @@ std::string describe(const RegionQuery& query)
   text << "largest " << query.shape->name();
   if (query.ratio)
     text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height";
-  if (query.search_box)
-    text << ", its center from " << query.search_box->lower.format(POINT_TEXT) << " to "
-         << query.search_box->upper.format(POINT_TEXT) << " m";
+  if (query.base_z)
+    text << ", standing on z = " << *query.base_z << " m";
+  if (query.hasSearchBox())
+    text << (query.base_z ? ", the middle of its base from " : ", its center from ")
+         << query.search_box->lower.format(POINT_TEXT) << " to " << query.search_box->upper.format(POINT_TEXT) << " m";
   text << ", " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
        << query.budget.time_limit << " s";
   return text.str();

@@ -21,6 +21,11 @@ constexpr double FAR = 0.75;
 Vector3d halfSidesOf(const Region& region)
 {
   const std::vector<double>& dimensions = region.solid.dimensions;
+  Vector3d reach = Vector3d::Zero();
+  for (const geometry_msgs::Point& vertex : region.vertices)
+    reach = reach.cwiseMax(region.size * fromMessage(vertex).cwiseAbs());
+  if (!region.vertices.empty())
+    return reach;
   if (region.solid.type == shape_msgs::SolidPrimitive::BOX)
     return 0.5 * Vector3d(dimensions[0], dimensions[1], dimensions[2]);
   const double radius = dimensions.back();

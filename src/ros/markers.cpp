@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "labels.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/region/convex_hull.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "scene.h"
@@ -108,6 +111,33 @@ void addBox(const Region& region, Scene& scene)
   addEdges(center, sides, scene);
 }
 
+/// Its triangles from both sides, and the edges at which these are not in one plane.
+void addPolytope(const Region& region, Scene& scene)
+{
+  std::vector<Eigen::Vector3d> corners;
+  for (const geometry_msgs::Point& vertex : region.vertices)
+    corners.push_back(fromMessage(vertex));
+  const std::vector<HullTriangle> triangles = convexHull(corners);
+  for (Eigen::Vector3d& corner : corners)
+    corner = fromMessage(region.center) + region.size * corner;
+  Marker& faces = scene.add("region", Marker::TRIANGLE_LIST, REGION_FACES);
+  std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> normals;
+  for (const auto& [a, b, c] : triangles)
+  {
+    const Eigen::Vector3d normal = (corners[b] - corners[a]).cross(corners[c] - corners[a]).normalized();
+    for (const auto& [from, to] : { std::pair(a, b), std::pair(b, c), std::pair(c, a) })
+      normals[{ from, to }] = normal;
+    for (const std::size_t corner : { a, b, c })
+      faces.points.push_back(toMessage(corners[corner]));
+  }
+  Marker& edges = scene.add("region", Marker::LINE_LIST, REGION_EDGES);
+  edges.scale.x = 6.0 * scene.unit();
+  for (const auto& [edge, normal] : normals)
+    if (edge.first < edge.second && normal.dot(normals[{ edge.second, edge.first }]) < 1.0 - 1e-9)
+      for (const std::size_t end : { edge.first, edge.second })
+        edges.points.push_back(toMessage(corners[end]));
+}
+
 /// With circles around both ends.
 void addCylinder(const Eigen::Vector3d& center, double height, double radius, Scene& scene)
 {
@@ -139,6 +169,8 @@ std::string nameOf(const Region& region)
 {
   const std::vector<double>& dimensions = region.solid.dimensions;
   const auto text = [](double value) { return digits(value, roundedDown); };
+  if (dimensions.empty())
+    return region.shape + " times " + text(region.size);
   const bool is_box = region.solid.type == shape_msgs::SolidPrimitive::BOX;
   if (!is_box && dimensions.size() > 1 && dimensions[0] > 0.0)
     return region.shape + ' ' + text(dimensions[0]) + " m high, radius " + text(dimensions[1]) + " m";
@@ -152,7 +184,10 @@ std::string nameOf(const Region& region)
 
 void addRegion(const Region& region, const LabelPlaces& places, Scene& scene)
 {
-  region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
+  if (!region.vertices.empty())
+    addPolytope(region, scene);
+  else
+    region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
   scene.addText("region", places.ofRegion(), nameOf(region));
 }
 

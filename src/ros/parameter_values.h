@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,13 @@ inline bool read(const XmlRpcValue& value, std::string& target)
   return true;
 }
 
+inline bool read(const XmlRpcValue& value, Eigen::Vector3d& target)
+{
+  if (value.getType() != XmlRpcValue::TypeArray || value.size() != 3)
+    return false;
+  return read(value[0], target.x()) && read(value[1], target.y()) && read(value[2], target.z());
+}
+
 template <class T>
 inline bool read(const XmlRpcValue& value, std::vector<T>& target)
 {
@@ -83,6 +91,24 @@ inline bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& targe
   if (!read(value, numbers) || numbers.size() != 3)
     return false;
   target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::optional<double>& target)
+{
+  double number = 0.0;
+  if (!read(value, number))
+    return false;
+  target = number;
+  return true;
+}
+
+inline bool read(const XmlRpcValue& value, std::optional<std::array<double, 2>>& target)
+{
+  std::vector<double> numbers;
+  if (!read(value, numbers) || numbers.size() != 2)
+    return false;
+  target = std::array<double, 2>{ numbers[0], numbers[1] };
   return true;
 }
 

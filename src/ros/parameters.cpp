@@ -66,24 +66,32 @@ Entry oneOf(Choice& target, const std::array<const char*, N>& names)
   return { expected, set };
 }
 
-Table tableOf(Parameters& parameters, std::string& shape)
+Table tableOf(Parameters& parameters)
 {
   RegionQuery& query = parameters.query;
   Table table = {
-    { "shape", entry(shape, "a text: cube, square, box, sphere, disc or cylinder") },
+    { "shape", entry(parameters.shape.name, "a text: cube, square, box, sphere, disc, cylinder or polytope") },
     { "proportions", entry(parameters.shape.proportions, "three numbers [x, y, z] >= 0, without unit") },
     { "ratio", entry(parameters.shape.ratio, "two numbers [least, largest] > 0, without unit") },
+    { "radius", entry(parameters.shape.radius, "a number > 0 [m]") },
+    { "height", entry(parameters.shape.height, "a number > 0 [m]") },
+    { "footprint", entry(parameters.shape.footprint, "two numbers [x, y] > 0 [m]") },
+    { "vertices", entry(parameters.shape.vertices, "a list of three numbers [x, y, z] each [m]") },
+    { "center", entry(parameters.place.center, "three numbers [x, y, z] [m]") },
+    { "base_z", entry(parameters.place.base_z, "a number [m]") },
     { "set", oneOf(query.criterion.set, SET_NAMES) },
     { "aspect", oneOf(query.criterion.aspect, ASPECT_NAMES) },
     { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
     { "accuracy", entry(parameters.accuracy, "a number >= 0 [m]") },
-    { "search_box", entry(query.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
+    { "search_box",
+      entry(parameters.place.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
     { "time_limit", entry(query.budget.time_limit, "a number > 0, at most 86400 [s]") },
     { "threads", entry(query.budget.threads, "a whole number >= 1") },
     { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints, or an empty one") },
     { "tcp_links", entry(parameters.urdf.tcp_links, "a list of three names of links, or an empty one") },
     { "psi", oneOf(parameters.psi, PSI_CHOICES) },
     { "tool_link", entry(parameters.urdf.tool_link, "a text, the name of a link fixed to the platform") },
+    { "tool", entry(parameters.urdf.tool, "three numbers [x, y, z] [m]") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
@@ -125,24 +133,24 @@ void readTable(const Table& table, const XmlRpcValue& values, Problems& problems
   }
 }
 
-/// Numbers of a shape that is not the node's wait for a request, and are checked all the same.
-void chooseShape(const std::string& shape, const ShapeDefaults& defaults, RegionQuery& query, Problems& problems)
+/// Measures of a shape that is not the node's wait for a request, and are checked all the same.
+void chooseRegion(const Parameters& parameters, RegionQuery& query, Problems& problems)
 {
-  const auto tryShape = [&](const std::string& name) {
+  const auto check = [&](const auto& set) {
     try
     {
-      setShape(name, defaults.proportionsFor(name), defaults.ratioFor(name), query);
+      set();
     }
     catch (const std::invalid_argument& error)
     {
       problems.push_back(error.what());
     }
   };
-  if (defaults.proportions && shape != "box")
-    tryShape("box");
-  if (defaults.ratio && shape != "cylinder")
-    tryShape("cylinder");
-  tryShape(shape);
+  for (const std::string shape : { "box", "cylinder", "polytope" })
+    if (const ShapeWish waiting = parameters.shape.as(shape); waiting.hasMeasures() && shape != parameters.shape.name)
+      check([&] { setShape(waiting, query); });
+  check([&] { setShape(parameters.shape.as(parameters.shape.name), query); });
+  check([&] { setPlace(parameters.place, query); });
 }
 
 /// Bounds that are chosen by the machine leave none to give.
@@ -195,12 +203,11 @@ void Parameters::validate(Problems& problems) const
 Parameters loadParameters(const ros::NodeHandle& private_node)
 {
   Parameters parameters;
-  std::string shape = "cube";
   Problems problems;
   XmlRpcValue values;
   if (private_node.getParam(private_node.getNamespace(), values) && values.getType() == XmlRpcValue::TypeStruct)
-    readTable(tableOf(parameters, shape), values, problems);
-  chooseShape(shape, parameters.shape, parameters.query, problems);
+    readTable(tableOf(parameters), values, problems);
+  chooseRegion(parameters, parameters.query, problems);
   choosePsi(values, parameters, problems);
   for (const CriterionBound& bound : CRITERION_BOUNDS)  // as in requests
     if (double& value = parameters.query.criterion.*bound.value; bound.is_optional && std::isinf(value) && value > 0.0)

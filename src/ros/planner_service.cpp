@@ -71,7 +71,7 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
 {
   const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response);
   Problems problems;
-  const auto region = fromMessage(request.solid, request.center, problems);
+  const auto region = fromMessage(request.solid, request.vertices, request.center, problems);
   if (request.max_boxes < 0)
     problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for " +
                        std::to_string(DEFAULT_CHECK_BOXES));

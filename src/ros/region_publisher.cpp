@@ -35,7 +35,8 @@ void RegionPublisher::publish(const RegionQuestion& question, const Region& regi
   joint_ranges_.publish(jointRangesOf(region));
   if (tool_ && !tool_->isLed() && region.size > 0.0)
     moveMachine(question, region);
-  if (region.size > 0.0 && question.in.frame == context_.frames.root().frame)
+  const bool holds_box = region.size > 0.0 && region.vertices.empty();  // of a polytope the center may be a corner
+  if (holds_box && question.in.frame == context_.frames.root().frame)
     interaction_.placeBox(region);
 }
 

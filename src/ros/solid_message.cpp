@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/path.h"
+#include "pkm_workspace/region/polytope.h"
 #include "pkm_workspace/ros/conversions.h"
 
 namespace pkm_workspace
@@ -57,6 +58,30 @@ std::optional<PlacedSolid> fromMessage(const SolidPrimitive& message, const geom
   try
   {
     placed.solid = read(message);
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    problems.push_back(reason.what());
+  }
+  requireFinite("center", placed.center, problems);
+  return problems.size() == before ? std::optional(placed) : std::nullopt;
+}
+
+std::optional<PlacedSolid> fromMessage(const SolidPrimitive& message, const std::vector<geometry_msgs::Point>& vertices,
+                                       const geometry_msgs::Point& center, Problems& problems)
+{
+  if (vertices.empty())
+    return fromMessage(message, center, problems);
+  const std::size_t before = problems.size();
+  PlacedSolid placed{ {}, fromMessage(center) };
+  std::vector<Eigen::Vector3d> points;
+  for (const geometry_msgs::Point& vertex : vertices)
+    points.push_back(fromMessage(vertex));
+  if (!message.dimensions.empty())
+    problems.push_back("solid and vertices: only one of the two can be given");
+  try
+  {
+    placed.solid = { makePolytope(points), 1.0 };
   }
   catch (const std::invalid_argument& reason)
   {

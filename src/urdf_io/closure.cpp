@@ -261,10 +261,13 @@ Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const Ur
   throwRefusal(problems);
   closure.gap = triple.distance();
   closure.allowed = urdf_tolerance::GAP * length;
-  closure.beyond = linksBeyond(model, stations, closure);
+  if (options.tool_link.empty() && !options.tool)
+    closure.beyond = linksBeyond(model, stations, closure);
   closure.named = options.tool_link;
-  closure.tool =
-      closure.named.empty() ? IntervalVector{ 0.0, 0.0, 0.0 } : toolAt(closure.named, model, rails, stations, closure);
+  if (!closure.named.empty())
+    closure.tool = toolAt(closure.named, model, rails, stations, closure);
+  else
+    closure.tool = enclose(options.tool.value_or(Eigen::Vector3d::Zero()));
   return closure;
 }
 

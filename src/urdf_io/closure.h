@@ -31,11 +31,11 @@ struct Beyond
 struct Closure
 {
   std::array<ClosedLeg, 3> legs;
-  double gap = 0.0;      ///< how far the three links are apart as drawn at zero [m]
-  double allowed = 0.0;  ///< the most that it may be [m]
-  IntervalVector tool;   ///< the tool point, seen from where the legs meet, in the root frame [m]
-  std::string named;     ///< the link of the tool point, where one was named
-  std::vector<Beyond> beyond;
+  double gap = 0.0;            ///< how far the three links are apart as drawn at zero [m]
+  double allowed = 0.0;        ///< the most that it may be [m]
+  IntervalVector tool;         ///< the tool point, seen from where the legs meet, in the root frame [m]
+  std::string named;           ///< the link of the tool point, where one was named
+  std::vector<Beyond> beyond;  ///< where nothing tells the tool point
   double scale() const { return legs[0].geometry.length.upper(); }
   /// Whether it is drawn assembled at zero, as far as the digits of a URDF go.
   bool isDrawnAssembled() const { return gap <= urdf_tolerance::COINCIDE / urdf_tolerance::GAP * allowed; }

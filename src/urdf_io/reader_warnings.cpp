@@ -79,11 +79,10 @@ void warnOfTools(const Closure& closure, Notices& notices)
 {
   const std::string remedy = "; name it with tool_link if it is meant";
   for (const Beyond& tool : closure.beyond)
-    if (closure.named.empty())
-      notices.push_back({ "link '" + tool.link + "' is fixed " + roundedText(tool.distance, 6) +
-                              " m from where the legs meet, and is not the tool point" + remedy,
-                          "links are fixed beyond where the legs meet, and are not the tool point" + remedy,
-                          roundedText(tool.distance, 6) + " m", tool.link });
+    notices.push_back({ "link '" + tool.link + "' is fixed " + roundedText(tool.distance, 6) +
+                            " m from where the legs meet, and is not the tool point" + remedy,
+                        "links are fixed beyond where the legs meet, and are not the tool point" + remedy,
+                        roundedText(tool.distance, 6) + " m", tool.link });
 }
 
 void warnOfGeometry(const Rail& rail, const ClosedLeg& leg, Notices& notices)

@@ -131,12 +131,33 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
   return drawn;
 }
 
+std::string inWords(const Eigen::Vector3d& tool)
+{
+  return "(" + exact(tool.x()) + ", " + exact(tool.y()) + ", " + exact(tool.z()) + ") m";
+}
+
+/// There is one tool point, at an ordinary place.
+void checkTool(const UrdfOptions& options)
+{
+  Problems problems;
+  if (options.tool && !options.tool_link.empty())
+    complain(problems, "tool = ", inWords(*options.tool), " and tool_link = '", options.tool_link,
+             "' both tell the tool point; give one of them");
+  if (options.tool && !(options.tool->allFinite() && options.tool->cwiseAbs().maxCoeff() <= 1e9))
+    complain(problems, "tool = ", inWords(*options.tool), " must be finite, within 1e9 m");
+  throwProblems(problems);
+}
+
 /// Which link is the tool point, and why.
 std::string toolPointOf(const Closure& closure, const UrdfOptions& options)
 {
-  std::string text = closure.named.empty() ? "the tool point is where the links "
-                                           : "the tool point is the link '" + closure.named +
-                                                 "', as tool_link names it; the legs meet where the links ";
+  std::string text = "the tool point is ";
+  if (!closure.named.empty())
+    text += "the link '" + closure.named + "', as tool_link names it; the legs meet where the links ";
+  else if (options.tool)
+    text += inWords(*options.tool) + " from where the legs meet, as tool gives it; they meet where the links ";
+  else
+    text += "where the links ";
   text += tcpNames(closure) + " coincide at joint values 0" +
           (options.tcp_links.empty() ? ", the deepest that do" : ", as tcp_links names them");
   return text;
@@ -204,6 +225,7 @@ std::vector<std::string> movedLinks(const Model& model)
 
 UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
 {
+  checkTool(options);
   const Model model = readModel(xml);
   const Rails rails = findRails(model, options.rails);
   const Closure closure = closeLegs(model, rails, options);

@@ -6,11 +6,11 @@ import re
 from types import SimpleNamespace
 
 from oracle import BAD, GOOD, Region, plus
+from larger import MORE, beyond, no_region, placements
 from reasons import N, Wrong, hold, reason
 
 QUALITY = r"(?:dextrous|reachable) in (?:the machine's own|the other|either|the machine's other) aspect"
 BRACKET = rf"{N}(?: to {N})?"
-MORE = 1 + 1e-6  # a region that is larger than a bound by this factor is above it
 
 
 class Case(SimpleNamespace):
@@ -59,26 +59,6 @@ def bracket(text):
     return float(found[1]), float(found[2] or found[1])
 
 
-def placements(case, region, count=12):
-    """Centers around one of a region: itself, close by, and anywhere near."""
-    center, reach = region.center, max(region.dimensions)
-    yield center
-    for width in (1e-4, 1e-3, 1e-2, 0.1, 0.5):
-        for _ in range(count // 4):
-            yield [x + case.rng.gauss(0, width * reach) for x in center]
-
-
-def beyond(bound, size):
-    """Of a bound to a size that is good: samples do not tell it from one that is less than a hundredth larger."""
-    return max(bound / size, 1.01)
-
-
-def no_region(case, region, factor, centers):
-    for center in centers:
-        large = region.scaled(factor * MORE, center)
-        hold(large.bad(case.machine, case.criterion, case.rng), large.dimensions, "at", center, "seems to be good")
-
-
 def all_good(case, region, count=300):
     for u in region.samples(case.rng, count):
         point = region.point(u)
@@ -88,8 +68,7 @@ def all_good(case, region, count=300):
 def found_region(case, shape):
     if case.region:
         return case.size, case.region
-    size = float(row(case.text, {"sphere": "radius [m]", "disc": "radius [m]", "cylinder": "height [m]",
-                                 "box": "factor on the proportions"}.get(shape, "edge [m]")))
+    size = float(re.search(rf"^  (?:edge|radius|height|factor) .*?  {N}$", case.text, re.M)[1])
     return size, Region(shape, numbers(row(case.text, "dimensions")), numbers(row(case.text, "center")))
 
 
@@ -108,18 +87,23 @@ def largest(case, match):
     centers = list(placements(case, region))
     if match["where"] == "with this center":
         centers = [numbers(" ".join(case.words[case.words.index("--center") + 1:][:3]))]
-    elif match["where"] == "with its center in the search box":
+    elif match["where"].endswith("in the search box"):
         at = case.words.index("--search-box") + 1
         ends = [float(x) for x in case.words[at:at + 6]]
         centers = [[case.rng.uniform(ends[k], ends[k + 1]) for k in (0, 2, 4)] for _ in range(20)]
     if "--ratio" in case.words:
         ends = case.words[case.words.index("--ratio") + 1:][:2]
         hold(match["volume"] or ends[0] == ends[1], "of free ratios a higher cylinder may be the smaller one")
+    if match["any"]:
+        measures = numbers(match["given"])
+        hold(not found and measures, "a size of 0 is no region")
+        region.dimensions = [1e-6, *measures] if "radius" in match["given"] else [*measures, 1e-6]
+        return no_region(case, region, 1, centers, match)
     if match["size"]:
         hold(not found or float(match["size"]) >= size, "the bound is below the size")
         if size == 0:  # less than the digits that are printed
             size, region = 1, Region(shape, without_region(case, shape)[1].dimensions, region.center)
-        return no_region(case, region, beyond(float(match["size"]), size), centers)
+        return no_region(case, region, beyond(float(match["size"]), size), centers, match)
     return large_cylinder(case, match, centers)
 
 
@@ -128,7 +112,7 @@ def large_cylinder(case, match, centers):
     for k, center in enumerate(centers):
         ratio = float(match["from"]) + (float(match["to"]) - float(match["from"])) * (k % 5) / 4
         height = (volume / math.pi / ratio**2)**(1 / 3)
-        no_region(case, Region("cylinder", [height, ratio * height], center), 1, [center])
+        no_region(case, Region("cylinder", [height, ratio * height], center), 1, [center], match)
 
 
 def body_of(case):

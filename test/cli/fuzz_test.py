@@ -41,7 +41,7 @@ class Fuzz(CommandTest):
 
     def words(self, chance, options):
         chosen = {name: values for name, values in options.items()
-                  if name not in BUDGET and (chance.random() < 0.15 or name in REQUIRED)}
+                  if name not in BUDGET and (chance.random() < 0.13 or name in REQUIRED)}
         words = [word for name in BUDGET if name in options for word in (f"--{name}", BUDGET[name])]
         if "urdf" in options and "machine" not in chosen:
             words += ["--urdf", chance.choice(list(MACHINES.values()))]

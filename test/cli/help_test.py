@@ -11,27 +11,29 @@ from xml.etree import ElementTree
 
 from pkm import DATA, MACHINES, URDF, CommandTest
 
-MACHINE = {"urdf", "rails", "tcp-links", "tool-link"}
+MACHINE = {"urdf", "rails", "tcp-links", "tool-link", "tool"}
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
 BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64 (\w+)$", REQUEST)}
 SHARED_CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS  # of several machines
 CRITERION = SHARED_CRITERION | {"psi"}
-BODY = {"shape", "proportions", "ratio", "size", "sides", "radius", "height"}
+SHAPE = {"shape", "proportions", "ratio", "vertices", "seen-from"}
+MEASURES = {"radius", "height", "footprint"}  # of which the size is what they leave
+BODY = SHAPE | {"size", "sides", "radius", "height"}
 TIME = {"time-limit", "progress"}
 BUDGET = TIME | {"max-boxes", "threads", "max-memory"}
 COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | TIME | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
-    | {"shape", "proportions", "ratio", "accuracy", "search-box", "center", "multi-precision"},
+    | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
     "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
-    | {"paper", "shape", "proportions", "ratio", "accuracy", "multi-precision"},
+    | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
     "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
-    | {"machine", "parameter", "range", "parts", "shape", "proportions", "ratio", "accuracy"},
+    | SHAPE | {"machine", "parameter", "range", "parts", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
@@ -63,7 +65,7 @@ class Help(CommandTest):
                              ("--psi-max NUMBER", "> 0, without unit [default 2]"),
                              ("--accuracy NUMBER", "a thousandth of the longest strut, to one digit; > 0 m"),
                              ("--joint-limits on|off", "[default on]"),
-                             ("--shape cube|square|box|sphere|disc|cylinder", "[default cube]"),
+                             ("--shape cube|square|box|sphere|disc|cylinder|polytope", "[default cube]"),
                              ("--threads COUNT", "from 1 to 1024 [default "),
                              ("--search-box X0 X1 Y0 Y1 Z0 Z1", "[m]"),
                              ("--time-limit NUMBER", ">= 0 s [default 60 s]"),

@@ -113,6 +113,14 @@ class Proved(CommandTest):
             accuracy = ("--accuracy", self.accuracy(name))
             self.held(name, "largest", "--center", *center, *accuracy)
             self.held(name, "largest", "--search-box", *box, "--shape", "disc", *accuracy)
+            for wish in (["cube"], ["disc"], ["box", "--proportions", 2, 1, 1], ["cylinder", "--ratio", 0.5, 1]):
+                self.held(name, "largest", "--base-z", center[2], "--shape", *wish, *accuracy)
+            span = self.machines[name].span
+            for wish in (["--radius", 0.1 * span], ["--height", 0.1 * span], ["--radius", 3 * span]):
+                self.held(name, "largest", "--shape", "cylinder", *wish, *accuracy)
+                self.held(name, "largest", "--shape", "cylinder", *wish, "--base-z", center[2], *accuracy)
+            self.held(name, "largest", "--shape", "box", "--footprint", 0.1 * span, 0.2 * span, "--base-z", center[2],
+                      "--search-box", *box, *accuracy)
             self.held(name, "largest", "--psi-max", 1.05, "--psi-min", 0.96, *accuracy)
             self.held(name, "largest", "--psi-max", 1.0001, "--psi-min", 0.9999, *accuracy)
 

@@ -15,11 +15,13 @@ REACHABLE = SimpleNamespace(psi=None, limits=False, aspect="both")
 def status(case, match):
     """Where it says so, size and bound are no further apart than asked, but for their last digits."""
     accuracy = float(case.words[case.words.index("--accuracy") + 1])
-    shape = re.search(r"^Largest (\w+)", case.text)[1]
-    if match[1].startswith("none"):
+    shape, machine = re.search(r"^Largest (\w+) (of machine)?", case.text).groups()
+    if match[1].startswith("none") and machine and "--base-z" not in case.words:  # else the sentence says it
         size, region = without_region(case, shape)
         accuracy *= 1e-3 if "of any size" in match[1] else 1
         return no_region(case, region, accuracy / size, list(placements(case, region)))
+    if match[1].startswith("none"):
+        return None
     bound = re.search(rf"^  upper bound +{N}$", case.text, re.M)
     size = re.search(rf"^  (?:edge|radius|height|factor)[^\n]*  {N}$", case.text, re.M)
     if bound:

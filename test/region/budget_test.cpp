@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "pkm_workspace/dexterity/unbounded.h"
-#include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/region_height.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
 
@@ -61,7 +61,7 @@ TEST(Budget, aRegionIsNotMovedAlongTheRailsWhenTheTimeIsOver)
 {
   const Machine machine = uranesx();
   RegionQuery query;
-  setShape("square", std::nullopt, std::nullopt, query);
+  setShape({ "square", std::nullopt, std::nullopt }, query);
   LargestRegion region = findLargestRegion(machine, query);
   const double settled = region.center.z();
   region.center.z() = settled + 0.01;
@@ -102,7 +102,7 @@ TEST(Budget, theMemoryEndsTheSearchWithAnHonestBracket)
 TEST(Budget, theMemoryEndsTheSearchOverRatios)
 {
   RegionQuery query;
-  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  setShape({ "cylinder", std::nullopt, RatioRange{ 0.5, 0.8 } }, query);
   query.accuracy = 1e-2;
   query.budget.max_boxes = 2000;
   const LargestRegion free = findLargestRegion(orthoglide(), query);

@@ -225,9 +225,9 @@ TEST(GivenMeasures, wereTooLargeForAnyRegion)
       EXPECT_EQ(none.size_upper_bound, 0.0);
       EXPECT_EQ(none.message, "no region of any size exists where the center may lie, proved");
       EXPECT_LE(none.boxes, 2000);
-      EXPECT_NE(describe(none, machine, query, false).find("no " + shape->name() + " of any size, wherever its center"),
+      EXPECT_NE(describe(none, machine, query).find("no " + shape->name() + " of any size, wherever its center"),
                 std::string::npos)
-          << describe(none, machine, query, false);
+          << describe(none, machine, query);
     }
 }
 

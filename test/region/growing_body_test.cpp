@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/growing_prisms.h"
+#include "pkm_workspace/region/polytope.h"
 #include "region/parallel_rails.h"
 #include "support/body_points.h"
 #include "support/cases.h"
@@ -57,6 +58,13 @@ std::vector<GrowingFamily> givenMeasures()
         return isBetween(-SIDE_X / 2, k[0], SIDE_X / 2) && isBetween(-SIDE_Y / 2, k[1], SIDE_Y / 2) &&
                isBetween(0, k[2], h);
       } },
+    { makeBoxOfFootprint(0.5, 0.125),
+      [](const Offset& k, const Exact& h) {
+        return isBetween(-SIDE_X / 2, k[0], SIDE_X / 2) && isBetween(-SIDE_Y / 2, k[1], SIDE_Y / 2) &&
+               isBetween(-h / 2, k[2], h / 2);
+      } },
+    { makeCylinderOfHeight(0.375)->standing(),
+      [](const Offset& k, const Exact& h) { return isRound(k, h) && isBetween(0, k[2], HEIGHT); } },
   };
 }
 
@@ -79,6 +87,20 @@ std::vector<GrowingFamily> growingFamilies()
     { makeCylinder(0.25, 0.375),
       [](const Offset& k, const Exact& h) {
         return isRound(k, h * RADIUS) && isBetween(-h * HEIGHT / 2, k[2], h * HEIGHT / 2);
+      } },
+    { makeCube()->standing(),
+      [](const Offset& k, const Exact& h) {
+        return isBetween(-h / 2, k[0], h / 2) && isBetween(-h / 2, k[1], h / 2) && isBetween(0, k[2], h);
+      } },
+    { makeDisc()->standing(), [](const Offset& k, const Exact& h) { return isRound(k, h) && k[2] == 0; } },
+    { makeCylinder(0.5)->standing(),
+      [](const Offset& k, const Exact& h) { return isRound(k, h / 2) && isBetween(0, k[2], h); } },
+    { makePolytope({ { 0.5, 0, 0 }, { -0.5, 0, 0 }, { 0, 0.5, 0 }, { 0, -0.5, 0 }, { 0, 0, 0.5 }, { 0, 0, -0.5 } }),
+      [](const Offset& k, const Exact& h) { return abs(k[0]) + abs(k[1]) + abs(k[2]) <= h / 2; } },
+    { makePolytope(
+          { { 0, 0, 0 }, { 0.5, 0, 0 }, { 0, 0.25, 0 }, { 0, 0, 1 }, { 0.125, 0.0625, 0.125 } }),  // at a corner
+      [](const Offset& k, const Exact& h) {
+        return k[0] >= 0 && k[1] >= 0 && k[2] >= 0 && 2 * k[0] + 4 * k[1] + k[2] <= h;
       } },
     { std::make_shared<test::Octahedron>(),
       [](const Offset& k, const Exact& h) { return abs(k[0]) + abs(k[1]) + abs(k[2]) <= h / 2; } },

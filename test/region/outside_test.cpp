@@ -7,7 +7,7 @@
 
 #include "pkm_workspace/machine/frame.h"
 #include "pkm_workspace/region/containment.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "support/body_points.h"
 #include "support/cases.h"
 #include "support/machines.h"
@@ -106,7 +106,7 @@ TEST(RegionsFromOutside, everyShapeOfEveryMachine)
 TEST(RegionsFromOutside, theCylinderOfTheBestRatio)
 {
   RegionQuery query = outsideQuery(makeCube(), 1e-2);
-  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  setShape({ "cylinder", std::nullopt, RatioRange{ 0.5, 0.8 } }, query);
   const LargestRegion best = findLargestRegion(orthoglide(), query);
   const Judge judge(orthoglide());
   RandomBoxes random(SEED);

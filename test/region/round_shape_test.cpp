@@ -4,7 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "pkm_workspace/region/containment.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "support/body_points.h"
 #include "support/cases.h"
 #include "support/expect_throw.h"
@@ -185,7 +185,7 @@ TEST(RoundShapes, volumesAndDimensions)
 TEST(RoundShapes, aFreeRatioFindsTheCylinderOfTheLargestVolume)
 {
   RegionQuery query;
-  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  setShape({ "cylinder", std::nullopt, RatioRange{ 0.5, 0.8 } }, query);
   query.accuracy = 1e-2;
   const LargestRegion best = findLargestRegion(orthoglide(), query);
   ASSERT_EQ(best.status, LargestRegion::Status::PROVEN) << best.message;
@@ -206,13 +206,13 @@ TEST(RoundShapes, refuseRatiosAndNamesThatMakeNoShape)
 {
   RegionQuery query;
   const auto set = [&query](const char* name, std::optional<RatioRange> ratio) {
-    setShape(name, std::nullopt, ratio, query);
+    setShape({ name, std::nullopt, ratio }, query);
   };
   using Bad = std::invalid_argument;
   test::expectThrow<Bad>([&] { set("cylinder", std::nullopt); }, "cylinder needs a ratio");
   test::expectThrow<Bad>([&] { set("cylinder", RatioRange{ 2.0, 1.0 }); }, "ratio = .2, 1. must have the least one");
   test::expectThrow<Bad>([&] { set("cylinder", RatioRange{ 0.0, 1.0 }); }, "ratio = 0 .* must be from 1e-6 to 1e6");
   test::expectThrow<Bad>([&] { set("cube", RatioRange{ 1.0, 1.0 }); }, "for the shape cylinder only.* cube");
-  test::expectThrow<Bad>([&] { set("cone", std::nullopt); }, "must be cube, .*disc or cylinder");
+  test::expectThrow<Bad>([&] { set("cone", std::nullopt); }, "must be cube, .*disc, cylinder or polytope");
 }
 }  // namespace pkm_workspace

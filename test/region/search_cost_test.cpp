@@ -11,7 +11,7 @@
 #include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/region/center_test.h"
 #include "pkm_workspace/region/containment.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "support/machines.h"
 
 namespace
@@ -120,7 +120,7 @@ TEST(SearchCost, cylindersAlongParallelRails)
     for (const RatioRange& range : { RatioRange{ 0.5, 0.5 }, RatioRange{ 0.5, 0.8 } })
     {
       RegionQuery query;
-      setShape("cylinder", std::nullopt, range, query);
+      setShape({ "cylinder", std::nullopt, range }, query);
       query.accuracy = 1e-3;
       query.criterion.joint_limits = true;
       query.budget.max_boxes = 4000;

@@ -71,7 +71,7 @@ def region(case, match):
     if answer.ratio_max > 0:
         hold(not found or answer.volume < answer.volume_upper_bound, answer)
         return large_cylinder(case, {"from": answer.ratio_min, "to": answer.ratio_max,
-                                     "volume": answer.volume_upper_bound}, centers)
+                                     "volume": answer.volume_upper_bound, "given": "", "where": ""}, centers)
     narrow = answer.size_upper_bound - answer.size <= answer.hypotheses.accuracy * (1 + NEAR)
     hold(status == 1 or narrow, "wider than asked:", answer.size, answer.size_upper_bound)
     hold(answer.size <= answer.size_upper_bound, answer.size, answer.size_upper_bound)

@@ -37,6 +37,11 @@ class ClientsTest(unittest.TestCase):
         self.assertEqual((said.psi_min, said.psi_max, said.kappa_max, said.joint_limits), (0.4, 2, 4, False))
         cylinder = self.machine.largest_region(shape="cylinder", ratio=(1, 1), accuracy=0.01).solid.dimensions
         self.assertAlmostEqual(cylinder[0], cylinder[1], places=12)
+        standing = self.machine.largest_region(shape="box", footprint=(0.1, 0.2), base_z=-0.25, accuracy=0.01)
+        self.assertEqual((standing.base_z, list(standing.solid.dimensions[:2])), (-0.25, [0.1, 0.2]))
+        corners = [(0, 0, 0), (0.1, 0, 0), (0, 0.1, 0), (0, 0, 0.1)]
+        self.assertEqual(self.machine.check_polytope((0, 0, 0), corners).verdict, self.machine.INSIDE)
+        self.assertEqual(self.machine.largest_region(center=(0.125, 0, 0), accuracy=0.01).center.x, 0.125)
         near = self.machine.largest_region(search_box=((0, 0, 0), (0.05, 0.05, 0.05)), accuracy=0.01)
         self.assertLessEqual(max(near.center.x, near.center.y, near.center.z), 0.05)
         both = self.machine.largest_region(criterion=CriterionRequest(psi_min=0.4), psi_max=2.5, accuracy=0.01)

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "pkm_workspace/dexterity/defaults.h"
-#include "pkm_workspace/region/shape.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "pkm_workspace/ros/box_marker.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"
@@ -89,7 +89,7 @@ Drawn drawn(const std::string& file, const std::string& shape)
   UrdfMachine urdf = readUrdfFile(ROOT + file);
   RegionQuery query;
   query.criterion = defaultCriterion();
-  setShape(shape, {}, {}, query);
+  setShape({ shape, {}, {} }, query);
   query.accuracy = 0.01 * urdf.machine.scale();
   const FramedMachine in{ "root", std::make_shared<const Machine>(urdf.machine), urdf.machine.geometryHash(), Pose() };
   const Region region = toMessage(Answer{ { query, in }, findLargestRegion(urdf.machine, query) }, ros::Time());

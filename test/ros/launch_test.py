@@ -58,10 +58,10 @@ class LaunchTest(unittest.TestCase):
         self.assertEqual(parameters(urdf), {"/robot_description": (DATA / "equal_homes.urdf").read_text(),
                                             f"{NODE}/shape": "cube", f"{NODE}/joint_limits": True})
         given = parameters(urdf, "psi_min:=0.3", "psi_max:=3", "tool:=spindle", "shape:=box", "proportions:=[2, 1, 1]",
-                           "search_box:=[0, 1, 0, 1, 0, 1]")
+                           "search_box:=[0, 1, 0, 1, 0, 1]", "tip:=[0, 0, -0.1]")
         self.assertEqual({name.split("/")[-1]: value for name, value in given.items() if name.startswith(NODE)},
-                         {"psi_min": 0.3, "psi_max": 3.0, "tool_link": "spindle", "shape": "box", "joint_limits": True,
-                          "proportions": [2, 1, 1], "search_box": [0, 1, 0, 1, 0, 1]})
+                         {"psi_min": 0.3, "psi_max": 3.0, "tool_link": "spindle", "tool": [0, 0, -0.1], "shape": "box",
+                          "joint_limits": True, "proportions": [2, 1, 1], "search_box": [0, 1, 0, 1, 0, 1]})
 
     def test_xacro_is_run_where_asked_for(self):
         with tempfile.TemporaryDirectory() as folder:

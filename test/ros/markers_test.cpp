@@ -65,6 +65,31 @@ TEST(Markers, showRoundRegionsByTheirDimensions)
     EXPECT_EQ(1U, ofType(markers, Marker::TEXT_VIEW_FACING).size());
 }
 
+TEST(Markers, showPolytopesByTheirHull)
+{
+  Region region = regionWithSides(0.0, 0.0, 0.0);
+  region.shape = Region::POLYTOPE;
+  region.solid.dimensions.clear();
+  region.size = 0.5;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    region.vertices.emplace_back();
+    region.vertices.back().x = corner % 2;
+    region.vertices.back().y = corner / 2 % 2;
+    region.vertices.back().z = corner / 4;
+  }
+  const Markers markers = inNamespace(draw(region), "region");
+  const auto faces = ofType(markers, Marker::TRIANGLE_LIST);
+  ASSERT_EQ(1U, faces.size());
+  EXPECT_EQ(12U * 3U, faces[0].points.size());
+  EXPECT_NEAR(6.0 * 0.25, areaOf(faces[0]), 1e-12);
+  const auto edges = ofType(markers, Marker::LINE_LIST);
+  ASSERT_EQ(1U, edges.size());
+  EXPECT_EQ(12U * 2U, edges[0].points.size()) << "not those between triangles of one face";
+  ASSERT_EQ(1U, ofType(markers, Marker::TEXT_VIEW_FACING).size());
+  EXPECT_NE(std::string::npos, ofType(markers, Marker::TEXT_VIEW_FACING)[0].text.find("polytope times 0.5"));
+}
+
 TEST(Markers, stayWhereTheMachineStoodWhenTheFrameMoves)
 {
   const Pose root{ { 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5) }, { 1.0, 0.0, 0.0 } };  // a quarter about z

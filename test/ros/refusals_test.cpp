@@ -33,7 +33,7 @@ class Refusals : public testing::TestWithParam<BadRequest>
 
 const BadRequest BAD_REQUESTS[] = {
   { "shape of another name", [](auto& q) { q.shape = "blob"; },
-    "shape = 'blob' must be cube, square, box, sphere, disc or cylinder" },
+    "shape = 'blob' must be cube, square, box, sphere, disc, cylinder or polytope" },
   { "proportions of a cube", [](auto& q) { q.proportions.x = 2.0; }, "proportions = \\(2, 0, 0\\).* box only.* cube" },
   { "ratio of a cube", [](auto& q) { q.ratio_min = q.ratio_max = 1.0; }, "ratio is for .*cylinder only.* cube" },
   { "cylinder without a ratio", [](auto& q) { q.shape = "cylinder"; }, "cylinder needs a ratio" },
@@ -111,6 +111,57 @@ const BadRequest BAD_REQUESTS[] = {
       q.ratio_max = 2.0;
     },
     "ratio_min and ratio_max must both be given" },
+  { "base of a sphere",
+    [](auto& q) {
+      q.shape = "sphere";
+      q.use_base = true;
+    },
+    "base_z is for regions with a lowest face, and a sphere has none" },
+  { "base of a given center", [](auto& q) { q.use_base = q.use_center = true; },
+    "a center and base_z exclude each other.*give the search box" },
+  { "center and search box", [](auto& q) { q.use_search_box = q.use_center = true; }, "only one of the two" },
+  { "base above the search box",
+    [](auto& q) {
+      q.use_search_box = q.use_base = true;
+      q.base_z = 1.0;
+    },
+    "from z = 0 m to 0 m and base_z = 1 m is not between them" },
+  { "NaN base",
+    [](auto& q) {
+      q.use_base = true;
+      q.base_z = NAN_VALUE;
+    },
+    "base_z = nan m must be finite, within 1e9 m" },
+  { "base that is not asked for", [](auto& q) { q.base_z = 1.0; }, "base_z must be 0 \\[m\\] unless use_base" },
+  { "center that is not asked for", [](auto& q) { q.center.y = 1.0; }, "center must be 0 \\[m\\] unless use_center" },
+  { "radius of a cube", [](auto& q) { q.radius = 1.0; }, "a radius is for the shape cylinder only, the shape is cube" },
+  { "negative height",
+    [](auto& q) {
+      q.shape = "cylinder";
+      q.height = -1.0;
+    },
+    "height = -1 m must be positive" },
+  { "radius and height",
+    [](auto& q) {
+      q.shape = "cylinder";
+      q.height = q.radius = 1.0;
+    },
+    "one of ratio, radius and height" },
+  { "polytope without vertices", [](auto& q) { q.shape = "polytope"; }, "polytope needs vertices" },
+  { "vertices of a cube", [](auto& q) { q.vertices.resize(4); }, "a list of vertices is for the shape polytope only" },
+  { "vertices in one point",
+    [](auto& q) {
+      q.shape = "polytope";
+      q.vertices.resize(4);
+    },
+    "vertices lie in one plane" },
+  { "half a footprint", [](auto& q) { q.footprint_y = 1.0; }, "footprint_x and footprint_y must both be given" },
+  { "footprint of a square",
+    [](auto& q) {
+      q.shape = "square";
+      q.footprint_x = q.footprint_y = 1.0;
+    },
+    "a footprint is for the shape box only" },
   { "frame that is not known", [](auto& q) { q.header.frame_id = "nowhere"; },
     "frame_id = 'nowhere' is not known to tf; empty stands for 'base_link'", ErrorCode::UNKNOWN_FRAME },
 };

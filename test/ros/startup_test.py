@@ -10,6 +10,7 @@ import unittest
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Point
 from pkm_workspace.msg import CriterionRequest, RegionRequest
 from pkm_workspace.srv import ComputeLargestRegion
 from node_process import NAME, PATIENCE, NodeProcess, urdf
@@ -17,16 +18,26 @@ from node_process import NAME, PATIENCE, NodeProcess, urdf
 NAN = float("nan")
 
 BAD_PARAMETERS = [
-    ({"shape": "blob"}, r"shape = 'blob' must be cube, square, box, sphere, disc or cylinder"),
-    ({"shape": 3}, r"shape = 3 must be a text: cube, square, box, sphere, disc or cylinder"),
+    ({"shape": "blob"}, r"shape = 'blob' must be cube, square, box, sphere, disc, cylinder or polytope"),
+    ({"shape": 3}, r"shape = 3 must be a text: cube, square, box, sphere, disc, cylinder or polytope"),
     ({"shape": "box", "proportions": [1, 2]}, r"proportions = \{1,2\} must be three numbers"),
     ({"shape": "box", "proportions": [1, 0, -1]}, r"proportions \(1, 0, -1\).* must be"),
     ({"proportions": [1, 0, -1]}, r"proportions \(1, 0, -1\).* must be"),
     ({"ratio": [2, 1]}, r"ratio = \[2, 1\] must have the least one first"),
+    ({"radius": "wide"}, r"radius = wide must be a number > 0 \[m\]"),
+    ({"radius": 0.1, "height": 0.1}, r"a cylinder takes one of ratio, radius and height"),
+    ({"height": -1.0}, r"height = -1 m must be positive"),
+    ({"footprint": [1]}, r"footprint = \{1\} must be two numbers"),
+    ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 1]]}, r"vertices = .* must be a list of three numbers \[x, y, z\] each"),
+    ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]}, r"vertices lie in one plane"),
+    ({"base_z": 0, "center": [0, 0, 0]}, r"a center and base_z exclude each other"),
+    ({"base_z": 0, "shape": "sphere"}, r"base_z is for regions with a lowest face, and a sphere has none"),
     ({"psi": "best"}, r"psi = best must be a text: given or auto"),
     ({"psi": "auto", "psi_min": 0.3}, r"psi = auto chooses the bounds of a dextrous set: leave out psi_min"),
     ({"psi": "auto", "set": "reachable"}, r"psi = auto chooses the bounds of a dextrous set"),
     ({"tool_link": "drill"}, r"tool_link names 'drill', which is no link; the links are: "),
+    ({"tool": [0, 0, 0.1], "tool_link": "drill"}, r"tool = \(0, 0, 0.1\) m and tool_link = 'drill' both tell"),
+    ({"tool": 0.1}, r"tool = 0.1 must be three numbers \[x, y, z\] \[m\]"),
     ({"psi_min": "small"}, r"psi_min = small must be a number > 0"),
     ({"psi_min": 0}, r"psi_min = 0 .*must be positive"),
     ({"psi_max": 0.25}, r"psi_max = 0.25 must be at least psi_min = 0.5 \(the default\) "),
@@ -121,6 +132,25 @@ class StartupTest(unittest.TestCase):
             self.assertIn("psi = AUTO chooses the bounds of a DEXTROUS set", ask(query=request).message)
             request.criterion.psi = 7
             self.assertIn("psi = 7 must be DEFAULT = 0 or AUTO = 1", ask(query=request).message)
+
+    def test_measures_and_places_that_wait(self):
+        own = {"shape": "cylinder", "radius": 0.2, "footprint": [0.1, 0.2], "base_z": -0.25, "accuracy": 0.02,
+               "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}
+        with NodeProcess(urdf("orthoglide"), own):
+            ask = rospy.ServiceProxy(f"{NAME}/compute_largest_region", ComputeLargestRegion, persistent=True)
+            ask.wait_for_service(PATIENCE)
+            region = ask(query=RegionRequest()).region
+            self.assertEqual((region.shape, region.use_base, region.base_z), ("cylinder", True, -0.25))
+            self.assertEqual(region.solid.dimensions[1], 0.2)
+            self.assertAlmostEqual(region.center.z, -0.25 + region.size / 2, places=12)
+            box = ask(query=RegionRequest(shape="box")).region
+            self.assertEqual((list(box.solid.dimensions[:2]), box.use_base), ([0.1, 0.2], True))
+            self.assertFalse(ask(query=RegionRequest(shape="sphere")).region.use_base)
+            self.assertEqual(len(ask(query=RegionRequest(shape="polytope")).region.vertices), 4)
+            free = ask(query=RegionRequest(use_search_box=True, min_corner=Point(-1, -1, -1),
+                                           max_corner=Point(1, 1, 1))).region
+            self.assertEqual((free.use_base, free.use_search_box), (False, True))
+            self.assertGreater(free.size, region.size_upper_bound)
 
     def test_diagnostics_come_as_often_as_asked(self):
         stamps = []

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pkm_workspace/paving/range_workspace.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "pkm_workspace/study/best_parameter.h"
 #include "support/machines.h"
 
@@ -22,7 +22,7 @@ RegionQuery queryFor(const std::string& shape, std::optional<RatioRange> ratio =
 {
   RegionQuery query;
   const bool is_box = shape == "box";
-  setShape(shape, is_box ? std::make_optional(Eigen::Vector3d(1.0, 2.0, 0.5)) : std::nullopt, ratio, query);
+  setShape({ shape, is_box ? std::make_optional(Eigen::Vector3d(1.0, 2.0, 0.5)) : std::nullopt, ratio }, query);
   query.criterion.joint_limits = true;
   return query;
 }

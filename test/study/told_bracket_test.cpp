@@ -6,7 +6,7 @@
 
 #include "pkm_workspace/interval/running_bracket.h"
 #include "pkm_workspace/paving/paving.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "pkm_workspace/study/best_parameter.h"
 #include "pkm_workspace/study/comparison.h"
 #include "support/machines.h"
@@ -54,7 +54,7 @@ void expectToldBracketsShrink(const Machine& machine, RegionQuery query, int lea
 RegionQuery queryFor(const char* shape, double accuracy, std::int64_t boxes = 0)
 {
   RegionQuery query;
-  setShape(shape, std::nullopt, std::nullopt, query);
+  setShape({ shape, std::nullopt, std::nullopt }, query);
   query.accuracy = accuracy;
   query.budget.max_boxes = boxes;
   return query;
@@ -63,7 +63,7 @@ RegionQuery queryFor(const char* shape, double accuracy, std::int64_t boxes = 0)
 RegionQuery cylinderQuery(double accuracy, std::int64_t boxes)
 {
   RegionQuery query;
-  setShape("cylinder", std::nullopt, RatioRange{ 0.5, 0.8 }, query);
+  setShape({ "cylinder", std::nullopt, RatioRange{ 0.5, 0.8 } }, query);
   query.accuracy = accuracy;
   query.budget.max_boxes = boxes;
   return query;

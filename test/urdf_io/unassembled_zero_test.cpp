@@ -148,6 +148,36 @@ TEST(ToolLink, isTheToolPointWhenNamed)
   }
 }
 
+// The platform never turns: the tip is where the legs meet, and this further.
+TEST(Tool, isSeenFromWhereTheLegsMeet)
+{
+  const std::string text = withElements(good(), branch("spindle", "fixed", "tcp_1", "<origin xyz=\"0 0 -0.08\"/>"));
+  const Vector3d tip(0.03125, -0.0625, -0.125);
+  const UrdfMachine platform = readUrdf(good());
+  UrdfOptions options;
+  options.tool = tip;
+  const UrdfMachine tool = readUrdf(text, options);
+  EXPECT_TRUE(tool.warnings.empty()) << "who gives a tool has chosen";
+  EXPECT_NE(tool.tool_point.find("the tool point is (0.03125, -0.0625, -0.125) m from where the legs meet, as tool "
+                                 "gives it; they meet where the links 'tcp_1'"),
+            std::string::npos)
+      << tool.tool_point;
+  EXPECT_EQ(tool.machine.zero(), platform.machine.zero() + tip);
+  for (const Vector3d& p : { Vector3d(0.1, 0.2, -0.1), Vector3d(0.0, 0.0, 0.0), Vector3d(-0.2, 0.1, 0.05) })
+  {
+    const auto of_platform = inverseKinematics(platform.machine, p);
+    const auto of_tip = inverseKinematics(tool.machine, p + tip);
+    ASSERT_TRUE(of_platform && of_tip);
+    EXPECT_LT((*of_platform - *of_tip).norm(), 1e-14);
+  }
+  options.tool_link = "spindle";
+  expectRefused(text, "tool = \\(0.03125, .*\\) m and tool_link = 'spindle' both tell the tool point; give one",
+                options);
+  options.tool_link = "";
+  options.tool = Vector3d(0.0, NAN, 0.0);
+  expectRefused(text, "tool = \\(0, nan, 0\\) m must be finite, within 1e9 m", options);
+}
+
 TEST(ToolLink, hasToBeFixedToThePlatform)
 {
   UrdfOptions options;

@@ -19,7 +19,8 @@ enum class Stand
 ShapePtr makeCylinderOfRadius(double radius, Stand stand);
 /// Along z, as wide as it can be, about its center. Size: radius [m].
 ShapePtr makeCylinderOfHeight(double height);
-/// As high as it can be above a base with these sides along x and y, whose middle is the region's center. Size: height
-/// [m].
+/// As high as it can be, with these sides along x and y, about its center. Size: height [m].
+ShapePtr makeBoxOfFootprint(double x, double y);
+/// The same above its base, whose middle is the region's center.
 ShapePtr makeBoxOnBase(double x, double y);
 }  // namespace pkm_workspace

@@ -50,6 +50,7 @@ struct RegionQuery
   double accuracy = 1e-3;
   Precision precision = Precision::DOUBLE;
   std::optional<Box> search_box;                        ///< bounds the center [m]; a side may have zero width
+  std::optional<double> base_z;                         ///< regions stand on this plane [m]: see setPlace()
   Budget budget;                                        ///< max_boxes counts boxes of centers
   std::function<void(const RegionProgress&)> progress;  ///< called now and then, if given
   double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
@@ -57,6 +58,15 @@ struct RegionQuery
       closed;  ///< told each box of centers that is closed (reason.h), if given; of a free ratio nothing
 
   void validate(Problems& problems) const;
+  /// Whether the search box says anything about the centers along an axis.
+  bool bounds(int axis) const;
+  /// Whether there is one but for the plane that regions stand on.
+  bool hasSearchBox() const { return search_box && (!base_z || bounds(0) || bounds(1)); }
+  /// Where centers are to be along an axis that leaves them free: in the middle of the search box, otherwise at the
+  /// zero configuration [m].
+  double levelAlong(int axis, const Machine& machine) const;
+  /// Where regions are looked for, in words: "wherever its center", "standing on z = 0.5 m".
+  std::string place() const;
 };
 
 /// What may be asked for, in the unit of the size: as a length of the region, 1e-18 to 1000 times the longest strut.
@@ -66,15 +76,10 @@ struct AccuracyRange
   double coarsest;
 };
 AccuracyRange accuracyRange(const Machine& machine, const Shape& shape);
-/// The machine's default, or what comes nearest to it in that range.
+/// The machine's default, or what comes nearest to it in that range; of a polytope, as a length of the region.
 double defaultAccuracy(const Machine& machine, const Shape& shape);
 /// Appends one sentence when the accuracy is out of that range.
 void validateAccuracy(const Machine& machine, const RegionQuery& query, Problems& problems);
-
-/// Sets shape and ratio of a query by name. @param proportions of a box @param ratio of a cylinder, 1e-6 to 1e6
-/// @throws std::invalid_argument for an unknown name, for what is missing, out of range, or of another shape
-void setShape(const std::string& name, const std::optional<Eigen::Vector3d>& proportions,
-              const std::optional<RatioRange>& ratio, RegionQuery& query);
 
 struct LargestRegion
 {

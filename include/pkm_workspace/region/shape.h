@@ -30,8 +30,10 @@ class Shape
 public:
   virtual ~Shape() = default;
 
-  /// "cube", "square", "box", ...
+  /// "cube", "square", "cylinder of radius 0.25 m", ...: begins with a word for what its regions are
   virtual std::string name() const = 0;
+  /// This word.
+  std::string kind() const;
   /// What one unit of size is, for people: "edge [m]", "factor on the proportions".
   virtual std::string sizeMeaning() const = 0;
   /// The least and the largest coordinates of K(h).
@@ -49,6 +51,8 @@ public:
   virtual std::optional<GrowingVector> placeOf(const Eigen::Vector3d& offset, double size) const;
   /// Whether c + K(h) is all of its bounding box, so that it needs no half-spaces there.
   virtual bool isBox() const { return false; }
+  /// Whether it is none of the solids that dimensions() tell, but a hull of points that grow with its size.
+  bool isPolytope() const { return dimensions(1.0).empty(); }
   /// Whether K(h) holds with a point all that lie straight above and below it within its bounding box.
   virtual bool isPrism() const { return isBox(); }
   /// The smallest box of doubles that contains c + K(h), as far as lower() and upper() are exact.
@@ -77,10 +81,14 @@ public:
   virtual Growing<double> support(const Eigen::Vector3d& n) const = 0;
   /// The nearest point of c + K(h).
   virtual Eigen::Vector3d nearest(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double size) const = 0;
-  /// As shape_msgs/SolidPrimitive has it, rounded inward: full sides of a box [m] (square: [a, a, 0]).
+  /// As shape_msgs/SolidPrimitive has it, rounded inward: full sides of a box [m] (square: [a, a, 0]);
+  /// none of a polytope.
   virtual std::vector<double> dimensions(double size) const = 0;
   /// Encloses the volume of K(h) [m^3]; 0 for flat shapes.
   virtual Interval volume(double size) const = 0;
+  /// The family of the same bodies, each moved along z until the middle of its lowest face is the center of its region;
+  /// nothing where they have none.
+  virtual std::shared_ptr<const Shape> standing() const { return nullptr; }
 };
 
 /// A point near the given one that is proved to lie in c + K(h), if there is such a double.

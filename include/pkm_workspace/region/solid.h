@@ -14,6 +14,14 @@ struct Solid
   double size = 1.0;
 };
 
+/// A region by its middle and what it measures, as shape_msgs/SolidPrimitive has it.
+struct CenteredSolid
+{
+  Eigen::Vector3d center;          ///< [m]
+  std::vector<double> dimensions;  ///< rounded inward: about this center it lies in the region [m]
+};
+CenteredSolid centeredSolid(const Shape& shape, const Eigen::Vector3d& center, double size);
+
 /// Solids that are given by what they measure.
 enum class SolidKind
 {

@@ -22,7 +22,6 @@ int decimalsOf(const LargestRegion& region, double accuracy);
 
 /// Says what is proved: that every point of the region is good, where there is one, and which regions are not, with
 /// their centers where they were looked for.
-/// @param query that the region is the answer to @param at_center whether only one center was looked at
-std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query,
-                     bool at_center = false);
+/// @param query that the region is the answer to
+std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query);
 }  // namespace pkm_workspace

@@ -144,6 +144,14 @@ public:
     return call("check_region", service);
   }
 
+  /// The same for the convex hull of points, as seen from its center.
+  template <class... Fields>
+  CheckRegion::Response checkPolytope(const Triple& center, const std::vector<Triple>& vertices,
+                                      const Fields&... fields)
+  {
+    return checkSolid(center, {}, with::vertices(vertices), fields...);
+  }
+
   /// Whether all of the way through these points is good.
   template <class... Fields>
   CheckPath::Response checkLine(const std::vector<Triple>& points, const Fields&... fields)

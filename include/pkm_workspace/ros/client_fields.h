@@ -84,6 +84,48 @@ inline auto ratio(double least, double largest)
     request.ratio_max = largest;
   };
 }
+/// In place of it, of a cylinder as high as possible [m].
+inline auto radius(double value)
+{
+  return [value](auto& request) { request.radius = value; };
+}
+/// In place of both, of a cylinder as wide as possible [m].
+inline auto height(double value)
+{
+  return [value](auto& request) { request.height = value; };
+}
+/// Sides along x and y of a box as high as possible [m].
+inline auto footprint(double x, double y)
+{
+  return [x, y](auto& request) {
+    request.footprint_x = x;
+    request.footprint_y = y;
+  };
+}
+/// Those of a polytope, seen from its center.
+inline auto vertices(const std::vector<Triple>& points)
+{
+  return [points](auto& request) {
+    for (const Triple& point : points)
+      request.vertices.push_back(messageOf(point));
+  };
+}
+/// The only one that is looked at.
+inline auto center(const Triple& point)
+{
+  return [point](auto& request) {
+    request.use_center = true;
+    request.center = messageOf(point);
+  };
+}
+/// The height of the region's lowest face.
+inline auto base_z(double value)
+{
+  return [value](auto& request) {
+    request.use_base = true;
+    request.base_z = value;
+  };
+}
 inline auto accuracy(double value)
 {
   return [value](auto& request) { request.accuracy = value; };

@@ -29,10 +29,10 @@ Pose fromMessage(const geometry_msgs::Pose& pose);
 const Remedy REGION_REMEDY{ "joint_limits = ON", "a search box by use_search_box" };
 
 /// @param defaults what fields without a value stand for
-/// @param longest the most that may be asked for as a time limit [s]
+/// @param own the shape and place that the node has @param longest the most that may be asked for as a time limit [s]
 /// @throws std::invalid_argument naming every field that is out of range, with its value, unit and range
 RegionQuery fromMessage(const RegionRequest& request, const Machine& machine, const RegionQuery& defaults,
-                        const ShapeDefaults& shape, double longest);
+                        const Parameters& own, double longest);
 
 /// What is asked, and of which machine.
 struct RegionQuestion

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pkm_workspace/dexterity/defaults.h"
-#include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/region/region_wish.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -26,23 +26,6 @@ enum class PsiChoice
 };
 constexpr std::array<const char*, 2> PSI_CHOICES = { "given", "auto" };
 
-/// What a shape takes that has no numbers of its own in a request.
-struct ShapeDefaults
-{
-  std::optional<Eigen::Vector3d> proportions = {};  ///< of a box
-  std::optional<RatioRange> ratio = {};             ///< of a cylinder
-
-  /// The part that this shape has.
-  std::optional<Eigen::Vector3d> proportionsFor(const std::string& shape) const
-  {
-    return shape == "box" ? proportions : std::nullopt;
-  }
-  std::optional<RatioRange> ratioFor(const std::string& shape) const
-  {
-    return shape == "cylinder" ? ratio : std::nullopt;
-  }
-};
-
 /// What the node is configured with: its private parameters. Values with defaults; validate() tells what is wrong.
 struct Parameters
 {
@@ -53,16 +36,17 @@ struct Parameters
     query.criterion = defaultCriterion();
   }
 
-  ShapeDefaults shape;  ///< ~proportions and ~ratio, which wait for a box and for a cylinder
-  /// ~shape, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~search_box,
-  /// ~threads, ~max_memory: that the boxes of one computation may take [bytes], and ~time_limit, which is also the most
-  /// that a request may ask for: a service cannot be cancelled. In (0, 86400] [s].
+  ShapeWish shape;  ///< ~shape, and what waits for the shape that takes it: ~proportions, ~ratio and so on
+  PlaceWish place;  ///< ~search_box, ~center, ~base_z
+  /// These two, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~threads, ~max_memory: that
+  /// the boxes of one computation may take [bytes], and ~time_limit, which is also the most that a request may ask for:
+  /// a service cannot be cancelled. In (0, 86400] [s].
   RegionQuery query;
   double accuracy = 0.0;                            ///< ~accuracy [m], >= 0; 0: defaultAccuracy()
   PsiChoice psi = PsiChoice::GIVEN;                 ///< ~psi
   bool default_psi = true;                          ///< whether neither ~psi_min nor ~psi_max was given
   std::vector<double> joint_acceleration_max = {};  ///< ~joint_acceleration_max of paths [m/s^2], > 0; one or three
-  UrdfOptions urdf;                                 ///< ~rails, ~tcp_links and ~tool_link
+  UrdfOptions urdf;                                 ///< ~rails, ~tcp_links, ~tool_link and ~tool
   bool publish_joint_states = true;                 ///< whether the model stands at the region's center
   bool show_paving = true;                          ///< whether the markers show the set that the region lies in
   bool show_boundary = false;                       ///< whether they show its undecided boxes too

@@ -16,6 +16,10 @@ namespace pkm_workspace
 /// @param problems gets one sentence for a type, dimensions or a center that it cannot have; then there is nothing
 std::optional<PlacedSolid> fromMessage(const shape_msgs::SolidPrimitive& message, const geometry_msgs::Point& center,
                                        Problems& problems);
+/// The same of a polytope where there are vertices in place of a solid.
+std::optional<PlacedSolid> fromMessage(const shape_msgs::SolidPrimitive& message,
+                                       const std::vector<geometry_msgs::Point>& vertices,
+                                       const geometry_msgs::Point& center, Problems& problems);
 /// The same where a request is about a region; where it is not, both fields have to be unset.
 std::optional<PlacedSolid> readRegion(bool given, const shape_msgs::SolidPrimitive& message,
                                       const geometry_msgs::Point& center, Problems& problems);

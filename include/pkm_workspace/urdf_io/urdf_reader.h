@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct UrdfOptions
       tcp_links;  ///< one link for each leg, in any order (~tcp_links); empty: the deepest that coincide
   std::string tool_link =
       "";  ///< a link fixed to the platform (~tool_link): the tool point; empty: where the legs meet
+  std::optional<Eigen::Vector3d>
+      tool = {};  ///< in its place, the tool's tip seen from there, along root axes (~tool) [m]
 };
 
 /// How the value of one joint follows from another: value = factor * (value of source) + offset [m, rad].
