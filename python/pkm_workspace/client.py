@@ -13,8 +13,8 @@
     print(machine.evaluate((0.1, 0, 0)).psi)                     # enclosures of the transmission factors
 
 Lengths are metres, angles radians. Keywords are the fields of the request and of its criterion by their names (psi_min,
-kappa_max, ...), and besides: frame, ratio (least and largest), search_box and box (two corners each), joint_limits as
-True or False, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that
+kappa_max, ...), and besides: frame, ratio (least and largest), search_box and box (two corners each), joint_limits and
+hinge_limits as True or False, one number for all legs where there may be three, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that
 there is not and for a value of another type, Refused where the node refuses, with its error_code and message, and
 rospy.ServiceException or rospy.ROSException where there is no node.
 """
@@ -80,7 +80,7 @@ def read_value(message, name, value):
         return kind(*value)
     if name == "vertices":
         return [point if isinstance(point, Point) else Point(*point) for point in value]
-    if name == "joint_limits" and isinstance(value, bool):
+    if name in ("joint_limits", "hinge_limits") and isinstance(value, bool):
         return CriterionRequest.ON if value else CriterionRequest.OFF
     if name in CHOICES and isinstance(value, str):
         choice = getattr(CriterionRequest, value.upper(), None)

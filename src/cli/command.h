@@ -68,6 +68,7 @@ std::unique_ptr<Command> makeCompare();
 std::unique_ptr<Command> makeStudy();
 std::unique_ptr<Command> makeSingularities();
 std::unique_ptr<Command> makeConditioning();
+std::unique_ptr<Command> makeGuarantee();
 std::unique_ptr<Command> makeUrdf();
 std::unique_ptr<Command> makeImport();
 }  // namespace cli

@@ -7,6 +7,7 @@
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/fitting_bounds.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 
 namespace pkm_workspace
 {
@@ -25,42 +26,18 @@ constexpr const char* TOOL_LINK_HELP =
 
 constexpr const char* TOOL_HELP =
     "in place of --tool-link, the tool's tip seen from where the legs meet, along the axes of the root link: all "
-    "answers "
-    "are about the tip";
-
-/// "psi-min" of "psi_min".
-std::string optionOf(std::string name)
-{
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
+    "answers are about the tip";
+constexpr const char* BALL_AXES_HELP =
+    "where ball joints are not tilted: along the strut from slider to platform, in the root frame; without it, as at "
+    "joint values 0";
 
 Quantity quantityOf(const CriterionBound& bound)
 {
   const bool is_positive = bound.least == LEAST_POSITIVE;
-  return { bound.unit, is_positive ? 0.0 : bound.least, !is_positive };
+  const double most = bound.most < LARGEST_BOUND ? bound.most : std::numeric_limits<double>::infinity();
+  return { bound.unit, is_positive ? 0.0 : bound.least, !is_positive, most };
 }
 }  // namespace
-
-void MachineOptions::declare(Options& options)
-{
-  options.text("urdf", path_, "FILE", URDF_HELP);
-  options.texts("rails", names_.rails, "JOINT JOINT JOINT", RAILS_HELP);
-  options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK", TCP_LINKS_HELP);
-  options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
-  options.vector("tool", names_.tool, "X Y Z", LENGTH, TOOL_HELP);
-  options.require({ "urdf" });
-  options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool" }, [this](Problems& problems) {
-    try
-    {
-      urdf_ = readUrdfFile(path_, names_);
-    }
-    catch (const std::invalid_argument& reason)
-    {
-      problems.push_back(reason.what());
-    }
-  });
-}
 
 namespace
 {
@@ -79,7 +56,36 @@ void assign(const Words& words, std::optional<Eigen::Vector3d>& target)
   const std::vector<double> numbers = readNumbers(words, LENGTH);
   target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
 }
+
+/// Three numbers for all legs, or nine.
+void assign(const Words& words, std::vector<Eigen::Vector3d>& target)
+{
+  const std::vector<double> numbers = readNumbers(words, Quantity());
+  for (std::size_t k = 0; k < numbers.size(); k += 3)
+    target.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
+}
 }  // namespace
+
+void MachineOptions::declare(Options& options)
+{
+  options.text("urdf", path_, "FILE", URDF_HELP);
+  options.texts("rails", names_.rails, "JOINT JOINT JOINT", RAILS_HELP);
+  options.texts("tcp-links", names_.tcp_links, "LINK LINK LINK", TCP_LINKS_HELP);
+  options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
+  options.vector("tool", names_.tool, "X Y Z", LENGTH, TOOL_HELP);
+  options.legs("ball-axes", "X Y Z", BALL_AXES_HELP, [this](const Words& words) { assign(words, names_.ball_axes); });
+  options.require({ "urdf" });
+  options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" }, [this](Problems& problems) {
+    try
+    {
+      urdf_ = readUrdfFile(path_, names_);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+  });
+}
 
 template <class Member>
 void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
@@ -133,6 +139,23 @@ Words MachinesOptions::warnings() const
   return all;
 }
 
+std::string optionOf(std::string name)
+{
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+void declareJointData(Options& options, Criterion& criterion)
+{
+  for (const JointDatum& datum : JOINT_DATA)
+    options.legs(optionOf(datum.name), "NUMBER", datum.help + std::string(", in ") + datum.unit,
+                 [&values = criterion.*datum.values, &datum](const Words& words) {
+                   const std::vector<double> numbers = readNumbers(words, Quantity{ datum.unit, 0.0, false });
+                   for (std::size_t leg = 0; leg < 3; ++leg)
+                     values[leg] = numbers[numbers.size() == 1 ? 0 : leg];
+                 });
+}
+
 void declareCriterion(Options& options, Criterion& criterion)
 {
   criterion = defaultCriterion();
@@ -143,7 +166,9 @@ void declareCriterion(Options& options, Criterion& criterion)
                  "sign of det A at the points that count: that of the machine's zero configuration, the other, or any");
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     options.number(optionOf(bound.name), criterion.*bound.value, quantityOf(bound), bound.help);
+  declareJointData(options, criterion);
   options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
+  options.onOff("hinge-limits", criterion.hinge_limits, "whether the URDF's limits of passive joints hold too");
   Words of_dextrous = { "set" }, all;
   for (const CriterionBound& bound : CRITERION_BOUNDS)
   {
@@ -171,7 +196,12 @@ void declareCriterion(Options& options, Criterion& criterion, MachineOptions& ma
       "in place of --psi-min and --psi-max: bounds [1/f, f], f twice as much as at the best point of the machine",
       [](const Words& words) { readChoice(words[0], { "auto" }); });
   Words names = criterionOptions();
-  names.insert(names.end(), { "psi", "urdf", "rails", "tcp-links", "tool-link", "tool" });
+  names.insert(names.end(), { "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" });
+  options.check(names, [&criterion, &machine](Problems& problems) {
+    criterion = withJointData(machine.machine(), criterion);
+    requireProvable(machine.machine(), criterion, problems);
+  });
+  names.insert(names.end(), { "psi" });
   options.check(names, [&criterion, &options, &machine, counts](Problems& problems) {
     const bool is_given = options.given("psi-min") || options.given("psi-max");
     if (options.given("psi") && (is_given || criterion.set == Criterion::Set::REACHABLE))
@@ -201,7 +231,9 @@ Words criterionOptions()
   Words names = { "set", "aspect" };
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     names.push_back(optionOf(bound.name));
-  names.push_back("joint-limits");
+  for (const JointDatum& datum : JOINT_DATA)
+    names.push_back(optionOf(datum.name));
+  names.insert(names.end(), { "joint-limits", "hinge-limits" });
   return names;
 }
 

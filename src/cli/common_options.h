@@ -72,6 +72,12 @@ private:
 };
 
 /// --set, --aspect, one option for each bound, --joint-limits. Sets the criterion, the default too.
+/// "psi-min" of "psi_min".
+std::string optionOf(std::string name);
+
+/// What is known of the joints, each one number for all legs, or three.
+void declareJointData(Options& options, Criterion& criterion);
+
 void declareCriterion(Options& options, Criterion& criterion);
 /// The same for one machine, with --psi auto: remarks on the bounds that it chose, and on default ones that do not suit
 /// the machine. @pre the machine's options are declared before @param counts whether the question has a criterion at

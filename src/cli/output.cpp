@@ -10,6 +10,7 @@
 #include "command.h"
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -31,6 +32,11 @@ Json toJson(const Criterion& criterion)
   Json json = { { "set", name(criterion.set) },
                 { "aspect", name(criterion.aspect) },
                 { "joint_limits", criterion.joint_limits } };
+  if (criterion.hinge_limits)
+    json["hinge_limits"] = true;
+  for (const JointDatum& datum : JOINT_DATA)
+    if (datum.isAskedBy(criterion))
+      json[datum.name] = criterion.*datum.values;
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     if (bound.isAskedBy(criterion))
       json[bound.name] = criterion.*bound.value;

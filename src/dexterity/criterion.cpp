@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -23,7 +24,7 @@ public:
   {
     const CriterionBound* const least = lowerBoundOf(bound);
     if (!isOrdinary(bound))
-      complain(problems_, assigned(bound), "(a ", bound.quantity, ", ", unitOf(bound), ") must be ", allowed(bound),
+      complain(problems_, assigned(bound), "(a ", bound.quantity, ", ", unitOf(bound), ") must be ", rangeOf(bound),
                bound.is_optional ? ", or 0 for none" : "");
     else if (least != nullptr && isOrdinary(*least) && valueOf(bound) != 0.0 && valueOf(bound) < valueOf(*least))
       complain(problems_, assigned(bound), "must be at least ", assigned(*least), "(", bound.quantity, "s, ",
@@ -37,7 +38,7 @@ private:
   bool isOrdinary(const CriterionBound& bound) const
   {
     const double value = valueOf(bound);
-    return (value >= bound.least && value <= LARGEST_BOUND) || (bound.is_optional && value == 0.0);
+    return (value >= bound.least && value <= bound.most) || (bound.is_optional && value == 0.0);
   }
 
   /// "psi_min = 3 (the default) ".
@@ -45,12 +46,6 @@ private:
   {
     const std::string origin = origin_ ? origin_(bound.name) : "";
     return std::string(bound.name) + " = " + exact(valueOf(bound)) + (origin.empty() ? " " : " (" + origin + ") ");
-  }
-
-  static std::string allowed(const CriterionBound& bound)
-  {
-    return bound.least == LEAST_POSITIVE ? "positive and finite (1e-100 to 1e100)"
-                                         : "at least " + exact(bound.least) + " and finite (to 1e100)";
   }
 
   const Criterion& criterion_;
@@ -78,6 +73,7 @@ void validateCriterion(const Criterion& criterion, const Origin& origin, Problem
   BoundChecks checks(criterion, origin, problems);
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     checks.check(bound);
+  validateJointData(criterion, problems);
   if (problems.empty())
     validateTogether(criterion, problems);
 }
@@ -128,6 +124,6 @@ std::string describe(const Criterion& criterion)
 {
   return name(criterion.set) + boundsInWords(criterion, &CriterionBound::brief) + ", " + name(criterion.aspect) +
          (criterion.aspect == Criterion::Aspect::BOTH ? " aspects" : " aspect") + ", joint limits " +
-         (criterion.joint_limits ? "on" : "off");
+         (criterion.joint_limits ? "on" : "off") + (criterion.hinge_limits ? ", hinge limits on" : "");
 }
 }  // namespace pkm_workspace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -38,6 +39,14 @@ std::string unitOf(const CriterionBound& bound)
   return *bound.unit == '\0' ? "without unit" : bound.unit;
 }
 
+std::string rangeOf(const CriterionBound& bound)
+{
+  if (bound.most < LARGEST_BOUND)
+    return "positive and at most " + exact(bound.most);
+  return bound.least == LEAST_POSITIVE ? "positive and finite (1e-100 to 1e100)"
+                                       : "at least " + exact(bound.least) + " and finite (to 1e100)";
+}
+
 std::string allowedInWords(const CriterionBound& bound)
 {
   const CriterionBound* const lower = lowerBoundOf(bound);
@@ -55,7 +64,8 @@ std::string boundsInWords(const Criterion& criterion, const char* CriterionBound
     {
       const std::string words = bound.*part;
       const std::size_t place = words.find("{}");
-      text += words.substr(0, place) + exact(criterion.*bound.value) + words.substr(place + 2);
+      text += words.substr(0, place) + exact(criterion.*bound.value) + words.substr(place + 2) +
+              jointDataInWords(criterion, bound.value);
     }
   return text;
 }

@@ -3,11 +3,17 @@
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 
 namespace pkm_workspace
 {
 namespace
 {
+/// Of CRITERION_BOUNDS, those that all files hold; the others follow, with the joint data, where any is asked for.
+constexpr std::size_t FIRST_BOUNDS = 5;
+/// Flags of the last byte that all files hold.
+constexpr unsigned LIMITS = 1, MORE = 2, HINGES = 4;
+
 /// @return one of the first @p count values of the enumeration
 template <class Enumeration>
 Enumeration takeOneOf(std::size_t count, ByteReader& reader)
@@ -25,17 +31,27 @@ Criterion canonical(const Criterion& criterion)
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     if (!bound.isAskedBy(criterion))
       result.*bound.value = Criterion().*bound.value;
+  for (const JointDatum& datum : JOINT_DATA)
+    if (!datum.isAskedBy(criterion))
+      result.*datum.values = JointValues{};
   return result;
 }
 
 void put(const Criterion& criterion, ByteWriter& writer)
 {
   const Criterion values = canonical(criterion);
+  const bool has_more = values.boundsMore();
   writer.number(static_cast<std::uint8_t>(values.set));
   writer.number(static_cast<std::uint8_t>(values.aspect));
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    writer.real(values.*bound.value);
-  writer.number(static_cast<std::uint8_t>(values.joint_limits));
+  for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
+    writer.real(values.*CRITERION_BOUNDS[k].value);
+  writer.number(static_cast<std::uint8_t>((values.joint_limits ? LIMITS : 0U) | (has_more ? MORE : 0U) |
+                                          (values.hinge_limits ? HINGES : 0U)));
+  for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
+    writer.real(values.*CRITERION_BOUNDS[k].value);
+  for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
+    for (const double value : values.*JOINT_DATA[k].values)
+      writer.real(value);
 }
 
 Criterion takeCriterion(ByteReader& reader)
@@ -43,9 +59,17 @@ Criterion takeCriterion(ByteReader& reader)
   Criterion criterion;
   criterion.set = takeOneOf<Criterion::Set>(SET_NAMES.size(), reader);
   criterion.aspect = takeOneOf<Criterion::Aspect>(ASPECT_NAMES.size(), reader);
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    criterion.*bound.value = reader.real();
-  criterion.joint_limits = takeOneOf<bool>(2, reader);
+  for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
+    criterion.*CRITERION_BOUNDS[k].value = reader.real();
+  const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES) + 1, reader);
+  criterion.joint_limits = (flags & LIMITS) != 0;
+  criterion.hinge_limits = (flags & HINGES) != 0;
+  const bool has_more = (flags & MORE) != 0;
+  for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
+    criterion.*CRITERION_BOUNDS[k].value = reader.real();
+  for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
+    for (double& value : criterion.*JOINT_DATA[k].values)
+      value = reader.real();
   return criterion;
 }
 

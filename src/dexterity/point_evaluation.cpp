@@ -52,13 +52,24 @@ private:
 class LimitsAt : public Limits
 {
 public:
-  LimitsAt(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point, PointEvaluation& result)
-    : Limits(result.limits), machine_(machine), criterion_(criterion), point_(enclose(point)), result_(result)
+  /// @param there of the point, where the result has values
+  LimitsAt(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& point,
+           const std::optional<Configuration>& there, PointEvaluation& result)
+    : Limits(result.limits)
+    , machine_(machine)
+    , criterion_(criterion)
+    , place_(point)
+    , point_(enclose(point))
+    , there_(there)
+    , result_(result)
   {}
 
   const Machine& machine() const { return machine_; }
   const Criterion& criterion() const { return criterion_; }
+  const Eigen::Vector3d& place() const { return place_; }
   const IntervalVector& point() const { return point_; }
+  /// @pre hasValues()
+  const Configuration& configuration() const { return *there_; }
   bool hasValues() const { return result_.has_values; }
   const PointEvaluation& values() const { return result_; }
 
@@ -67,7 +78,7 @@ public:
   {
     (Each::tellLimits(*this), ...);
     for (const CriterionBound& bound : CRITERION_BOUNDS)
-      if (hasValues() && bound.isAskedBy(criterion_))
+      if (hasValues() && bound.enclose != nullptr && bound.isAskedBy(criterion_))
         bound.is_lower ? atLeast(bound.kind, -1, bound.enclose(result_), criterion_.*bound.value)
                        : atMost(bound.kind, -1, bound.enclose(result_), criterion_.*bound.value);
   }
@@ -75,7 +86,9 @@ public:
 private:
   const Machine& machine_;
   const Criterion& criterion_;
+  Eigen::Vector3d place_;
   IntervalVector point_;
+  const std::optional<Configuration>& there_;
   PointEvaluation& result_;
 };
 
@@ -88,6 +101,8 @@ double relativeMargin(const Limit& limit, double scale)
     case Kind::REACH:
     case Kind::JOINT_LOWER:
     case Kind::JOINT_UPPER:
+    case Kind::HINGE_LOWER:
+    case Kind::HINGE_UPPER:
       return margin / scale;
     case Kind::ASPECT:
       return margin;
@@ -110,6 +125,8 @@ std::string name(Limit::Kind kind)
   constexpr const char* NAMES[] = { "reach", "joint_lower", "joint_upper", "aspect" };
   if (isRate(kind))
     return kind == Kind::JOINT_SPEED ? "joint_speed_max" : "joint_acceleration_max";
+  if (kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER)
+    return kind == Kind::HINGE_LOWER ? "hinge_lower" : "hinge_upper";
   const CriterionBound* const bound = boundOf(kind);
   return bound == nullptr ? NAMES[static_cast<int>(kind)] : bound->name;
 }
@@ -144,7 +161,7 @@ PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const
   result.has_values = there && motion.joint[0].upper < INF;
   if (result.has_values)
     addValues(*there, motion, result);
-  LimitsAt(machine_, test_.model().criterion(), point, result).askAll(static_cast<Conditions<double>*>(nullptr));
+  LimitsAt(machine_, test_.model().criterion(), point, there, result).askAll(static_cast<Conditions<double>*>(nullptr));
   return result;
 }
 

@@ -65,6 +65,7 @@ bool operator==(const Premises& one, const Premises& other)
 Criterion within(const Machine& machine, Criterion criterion)
 {
   criterion.joint_limits = criterion.joint_limits && machine.hasJointLimits();
+  criterion.hinge_limits = criterion.hinge_limits && machine.hasHingeLimits();
   return criterion;
 }
 

@@ -94,6 +94,11 @@ std::string significantAbove(double value, int digits)
   return rounded("%.*R*g", value, digits, MPFR_RNDU);
 }
 
+std::string significantBelow(double value, int digits)
+{
+  return rounded("%.*R*g", value, digits, MPFR_RNDD);
+}
+
 std::string exact(double value)
 {
   const double number = value + 0.0;  // -0 is 0

@@ -230,6 +230,14 @@ Interval cos(double angle)
   return enclose(mpfr_cos, angle);
 }
 
+Interval acos(const Interval& x)
+{
+  const Interval cosine = intersection(x, Interval(-1.0, 1.0));
+  if (cosine.isEmpty())
+    return cosine;
+  return { enclose(mpfr_acos, cosine.upper()).lower(), enclose(mpfr_acos, cosine.lower()).upper() };
+}
+
 Interval pi()
 {
   return { 0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1 };

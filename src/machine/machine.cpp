@@ -83,6 +83,21 @@ bool Machine::hasJointLimits() const
   return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.limits != Interval::entire(); });
 }
 
+bool Machine::hasHingeLimits() const
+{
+  return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) {
+    return !slidingStrut(leg).stops.empty() || !slidingStrut(leg).open_hinges.empty();
+  });
+}
+
+std::vector<IntervalVector> Machine::ballAxes(int i) const
+{
+  const std::vector<IntervalVector>& given = slidingStrut(leg(i)).ball_axes;
+  return given.empty()
+             ? std::vector<IntervalVector>{ configurationAt(*this, zero_)->strut[static_cast<std::size_t>(i)] }
+             : given;
+}
+
 double Machine::scale() const
 {
   double scale = 0.0;

@@ -75,10 +75,26 @@ void validate(const SlidingStrut& strut, const std::string& place, Problems& pro
     complain(problems, place, ": working mode ", strut.working_mode, " must be +1 or -1");
 }
 
+namespace
+{
+/// Nothing for a strut without hinges' limits and balls' axes.
+std::string textOfPassive(const SlidingStrut& strut)
+{
+  std::string text;
+  for (const StrutStop& stop : strut.stops)
+    text += (stop.is_upper ? " upper stop" : " lower stop") + exactText(stop.direction) + exactText(stop.least);
+  for (const std::string& open : strut.open_hinges)
+    text += " open hinge " + open;
+  for (const IntervalVector& axis : strut.ball_axes)
+    text += " ball axis" + exactText(axis);
+  return text;
+}
+}  // namespace
+
 std::string exactText(const SlidingStrut& strut)
 {
   return " mode " + std::to_string(strut.working_mode) + exactText(strut.origin) + exactText(strut.axis) +
-         exactText(strut.platform) + exactText(strut.length);
+         exactText(strut.platform) + exactText(strut.length) + textOfPassive(strut);
 }
 
 SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation)
@@ -87,6 +103,10 @@ SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, co
   result.origin = rotation * strut.origin + translation;
   result.axis = rotation * strut.axis;
   result.platform = rotation * strut.platform;
+  for (StrutStop& stop : result.stops)
+    stop.direction = rotation * stop.direction;
+  for (IntervalVector& axis : result.ball_axes)
+    axis = rotation * axis;
   return result;
 }
 
@@ -97,6 +117,12 @@ SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const 
   strut.axis = directionBetween(first.axis, last.axis, t);
   strut.platform = between(first.platform, last.platform, t);
   strut.length = between(first.length, last.length, t);
+  if (textOfPassive(first) != textOfPassive(last))
+  {
+    strut.stops.clear();
+    strut.ball_axes.clear();
+    strut.open_hinges = { "passive hinges differ between the two machines" };
+  }
   return strut;
 }
 

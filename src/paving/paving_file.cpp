@@ -17,7 +17,7 @@ namespace
 // (geometry hash, criterion), resolution, box, its tree with one byte a box; last, the checksum of all before it.
 const std::string MAGIC = "PKM paving\n";
 // Format 2 has five bounds; each more is another format.
-constexpr std::uint32_t FORMAT = 2 + (CRITERION_BOUNDS.size() - 5);
+constexpr std::uint32_t FORMAT = 2;
 constexpr std::size_t CHECKSUM_BYTES = sizeof(std::uint32_t);
 
 /// CRC-32 of the first bytes.

@@ -21,7 +21,9 @@ const std::string LENGTH = " m";
 bool isAtLeast(Kind kind)
 {
   const CriterionBound* const bound = boundOf(kind);
-  return bound == nullptr ? kind == Kind::JOINT_LOWER || kind == Kind::ASPECT : bound->is_lower;
+  if (bound != nullptr)
+    return bound->is_lower;
+  return kind == Kind::JOINT_LOWER || kind == Kind::ASPECT || kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER;
 }
 
 /// How a value and its bound stand to each other, in words.
@@ -101,6 +103,12 @@ std::string phrase(const std::string& name, const std::string& is, const std::st
   return name + " " + is + " " + relation.value + ", " + relation.side + " " + bound;
 }
 
+/// ", of 'rail_x'," where a condition is about each leg by itself.
+std::string ofLeg(const Limit& limit, const Machine& machine)
+{
+  return limit.leg < 0 ? "" : ", as '" + machine.leg(limit.leg).joint + "' has it,";
+}
+
 std::string jointPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
 {
   const std::string bound = std::string("its ") + (limit.kind == Kind::JOINT_LOWER ? "lower" : "upper") + " limit of " +
@@ -114,6 +122,17 @@ std::string ratePhrase(const Leg& leg, const Limit& limit, const Relation& relat
   const std::string rate = limit.kind == Kind::JOINT_SPEED ? "speed" : "acceleration";
   return phrase("the " + rate + " of joint '" + leg.joint + "'", "is",
                 "its limit of " + exact(limit.bound) + unitOf(limit.kind), relation);
+}
+
+std::string hingePhrase(const StrutStop& stop, const Relation& relation)
+{
+  const std::string bound =
+      std::string("its ") + (stop.is_upper ? "upper" : "lower") + " limit of " + exact(stop.limit) + " rad";
+  if (relation.is_violated)
+    return "passive joint '" + stop.joint + "' would be beyond " + bound + ", by " + relation.distance +
+           " at most at the strut's end";
+  return "passive joint '" + stop.joint + "' " + (relation.is_kept ? "is within " : "reaches ") + bound + ", by " +
+         relation.distance + " at most at the strut's end";
 }
 
 std::string aspectPhrase(const Relation& relation)
@@ -139,8 +158,12 @@ std::string describe(const Limit& limit, const Machine& machine)
     case Kind::JOINT_SPEED:
     case Kind::JOINT_ACCELERATION:
       return ratePhrase(machine.leg(limit.leg), limit, relation);
+    case Kind::HINGE_LOWER:
+    case Kind::HINGE_UPPER:
+      return hingePhrase(slidingStrut(machine.leg(limit.leg)).stops[static_cast<std::size_t>(limit.stop)], relation);
     default:
-      return phrase(boundOf(limit.kind)->subject, "is", exact(limit.bound) + unitOf(limit.kind), relation);
+      return phrase(boundOf(limit.kind)->subject + ofLeg(limit, machine), "is", exact(limit.bound) + unitOf(limit.kind),
+                    relation);
   }
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/criterion_message.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/dexterity/fitting_bounds.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
@@ -28,6 +30,28 @@ constexpr MessageFields FIELDS[] = {
   { &Criterion::force_min, &CriterionRequest::force_min, &Hypotheses::force_min },
   { &Criterion::force_max, &CriterionRequest::force_max, &Hypotheses::force_max },
   { &Criterion::kappa_max, &CriterionRequest::kappa_max, &Hypotheses::kappa_max },
+  { &Criterion::tool_speed_min, &CriterionRequest::tool_speed_min, &Hypotheses::tool_speed_min },
+  { &Criterion::tool_force_min, &CriterionRequest::tool_force_min, &Hypotheses::tool_force_min },
+  { &Criterion::stiffness_min, &CriterionRequest::stiffness_min, &Hypotheses::stiffness_min },
+  { &Criterion::position_error_max, &CriterionRequest::position_error_max, &Hypotheses::position_error_max },
+  { &Criterion::strut_angle_min, &CriterionRequest::strut_angle_min, &Hypotheses::strut_angle_min },
+  { &Criterion::strut_angle_max, &CriterionRequest::strut_angle_max, &Hypotheses::strut_angle_max },
+  { &Criterion::ball_tilt_max, &CriterionRequest::ball_tilt_max, &Hypotheses::ball_tilt_max },
+};
+
+/// Where they have what is known of the joints.
+struct JointFields
+{
+  JointValues Criterion::*values;
+  CriterionRequest::_joint_speed_max_type CriterionRequest::*request;
+  Hypotheses::_joint_speed_max_type Hypotheses::*hypotheses;
+};
+constexpr JointFields JOINT_FIELDS[] = {
+  { &Criterion::joint_speed_max, &CriterionRequest::joint_speed_max, &Hypotheses::joint_speed_max },
+  { &Criterion::joint_effort_max, &CriterionRequest::joint_effort_max, &Hypotheses::joint_effort_max },
+  { &Criterion::joint_stiffness, &CriterionRequest::joint_stiffness, &Hypotheses::joint_stiffness },
+  { &Criterion::strut_stiffness, &CriterionRequest::strut_stiffness, &Hypotheses::strut_stiffness },
+  { &Criterion::joint_error_max, &CriterionRequest::joint_error_max, &Hypotheses::joint_error_max },
 };
 
 constexpr bool fieldsAreInOrder()
@@ -35,6 +59,9 @@ constexpr bool fieldsAreInOrder()
   bool in_order = std::size(FIELDS) == CRITERION_BOUNDS.size();
   for (std::size_t k = 0; in_order && k < CRITERION_BOUNDS.size(); ++k)
     in_order = FIELDS[k].value == CRITERION_BOUNDS[k].value;
+  in_order = in_order && std::size(JOINT_FIELDS) == JOINT_DATA.size();
+  for (std::size_t k = 0; in_order && k < JOINT_DATA.size(); ++k)
+    in_order = JOINT_FIELDS[k].values == JOINT_DATA[k].values;
   return in_order;
 }
 static_assert(fieldsAreInOrder(), "each bound needs its fields of both messages, in the order of CRITERION_BOUNDS");
@@ -86,6 +113,34 @@ void readBounds(const CriterionRequest& request, Criterion& criterion, Problems&
     problems.push_back("psi_min and psi_max must be 0 unless the set is DEXTROUS: in a reachable set they are free");
 }
 
+/// Empty for the default; +inf for nothing known.
+void readJointData(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+{
+  for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
+  {
+    const auto& values = request.*JOINT_FIELDS[k].request;
+    if (values.empty())
+      continue;
+    if (values.size() != 1 && values.size() != 3)
+      problems.push_back(std::string(JOINT_DATA[k].name) + " has " + std::to_string(values.size()) +
+                         " numbers, it must have one for all legs, or three, or none for the node's");
+    else
+      for (std::size_t leg = 0; leg < 3; ++leg)
+      {
+        const double value = values[values.size() == 1 ? 0 : leg];
+        (criterion.*JOINT_FIELDS[k].values)[leg] = value == std::numeric_limits<double>::infinity() ? 0.0 : value;
+      }
+  }
+}
+
+void readSwitch(const char* name, std::uint8_t value, bool& target, Problems& problems)
+{
+  if (value == CriterionRequest::ON || value == CriterionRequest::OFF)
+    target = value == CriterionRequest::ON;
+  else if (value != CriterionRequest::DEFAULT)
+    problems.push_back(std::string(name) + " = " + std::to_string(value) + " must be DEFAULT = 0, ON = 1 or OFF = 2");
+}
+
 /// @pre aspect and joint limits have been read
 void choosePsi(const CriterionRequest& request, const Machine& machine, Criterion& criterion, Problems& problems)
 {
@@ -115,11 +170,10 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   readSet(request, criterion, problems);
   criterion.aspect = aspectOf(request.aspect, defaults.aspect, problems);
   readBounds(request, criterion, problems);
-  if (request.joint_limits == CriterionRequest::ON || request.joint_limits == CriterionRequest::OFF)
-    criterion.joint_limits = request.joint_limits == CriterionRequest::ON;
-  else if (request.joint_limits != CriterionRequest::DEFAULT)
-    problems.push_back("joint_limits = " + std::to_string(request.joint_limits) +
-                       " must be DEFAULT = 0, ON = 1 or OFF = 2");
+  readSwitch("joint_limits", request.joint_limits, criterion.joint_limits, problems);
+  readSwitch("hinge_limits", request.hinge_limits, criterion.hinge_limits, problems);
+  readJointData(request, criterion, problems);
+  criterion = withJointData(machine, criterion);
   choosePsi(request, machine, criterion, problems);
   const Origin origin = [&request](const std::string& name) {
     bool is_given = false;
@@ -128,6 +182,8 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
     return is_given ? "" : "the node's";
   };
   validateCriterion(criterion, origin, problems);
+  if (problems.size() == before)
+    requireProvable(machine, criterion, problems);
   if (problems.size() == before)
     return criterion;
   Criterion valid = defaults;
@@ -188,7 +244,11 @@ Hypotheses toMessage(const Premises& premises, double accuracy)
   message.aspect = toNumber(criterion.aspect);
   for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
     message.*FIELDS[k].hypotheses = CRITERION_BOUNDS[k].isAskedBy(criterion) ? criterion.*FIELDS[k].value : 0.0;
+  for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
+    if (JOINT_DATA[k].isAskedBy(criterion))
+      std::copy_n((criterion.*JOINT_FIELDS[k].values).begin(), 3, (message.*JOINT_FIELDS[k].hypotheses).begin());
   message.joint_limits = criterion.joint_limits;
+  message.hinge_limits = criterion.hinge_limits;
   message.accuracy = accuracy;
   return message;
 }
@@ -200,7 +260,10 @@ Premises fromMessage(const Hypotheses& hypotheses)
   criterion.aspect = fromNumber(hypotheses.aspect, ASPECT_NAMES, Criterion::Aspect::OWN);
   for (const MessageFields& fields : FIELDS)
     criterion.*fields.value = hypotheses.*fields.hypotheses;
+  for (const JointFields& fields : JOINT_FIELDS)
+    std::copy_n((hypotheses.*fields.hypotheses).begin(), 3, (criterion.*fields.values).begin());
   criterion.joint_limits = hypotheses.joint_limits;
+  criterion.hinge_limits = hypotheses.hinge_limits;
   return { hypotheses.machine, hypotheses.geometry_hash, canonical(criterion), fromMessage(hypotheses.root),
            hypotheses.version };
 }

@@ -7,6 +7,7 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/dexterity/fitting_bounds.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/region/center_space.h"
 
@@ -72,6 +73,10 @@ Loaded load(const ros::NodeHandle& private_node)
     loaded.query.accuracy = accuracy;
   else
     loaded.query.accuracy = defaultAccuracy(loaded.urdf.machine, *loaded.query.shape);
+  loaded.query.criterion = withJointData(loaded.urdf.machine, loaded.query.criterion);
+  Problems problems;
+  requireProvable(loaded.urdf.machine, loaded.query.criterion, problems);
+  throwProblems(problems);
   choosePsi(loaded.urdf.machine, parameters, loaded.query.criterion);
   requireAnswerable(loaded.urdf.machine, loaded.query);
   return loaded;

@@ -85,6 +85,20 @@ inline bool readForJoints(const XmlRpcValue& value, std::vector<double>& target)
   return std::all_of(target.begin(), target.end(), [](double x) { return x > 0.0; });
 }
 
+/// One number for all legs, or three.
+inline bool read(const XmlRpcValue& value, JointValues& target)
+{
+  double one = 0.0;
+  std::vector<double> each;
+  if (read(value, one))
+    target = { one, one, one };
+  else if (read(value, each) && each.size() == 3)
+    target = { each[0], each[1], each[2] };
+  else
+    return false;
+  return true;
+}
+
 inline bool read(const XmlRpcValue& value, std::optional<Eigen::Vector3d>& target)
 {
   std::vector<double> numbers;

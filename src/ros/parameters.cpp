@@ -10,6 +10,7 @@
 #include "parameter_values.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/paving/paving.h"
 
@@ -66,6 +67,19 @@ Entry oneOf(Choice& target, const std::array<const char*, N>& names)
   return { expected, set };
 }
 
+void addCriterion(Criterion& criterion, Table& table)
+{
+  table["set"] = oneOf(criterion.set, SET_NAMES);
+  table["aspect"] = oneOf(criterion.aspect, ASPECT_NAMES);
+  table["joint_limits"] = entry(criterion.joint_limits, "true or false");
+  table["hinge_limits"] = entry(criterion.hinge_limits, "true or false");
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    table[bound.name] = entry(criterion.*bound.value, allowedInWords(bound));
+  for (const JointDatum& datum : JOINT_DATA)
+    table[datum.name] =
+        entry(criterion.*datum.values, std::string("a number > 0, or a list of three [") + datum.unit + "]");
+}
+
 Table tableOf(Parameters& parameters)
 {
   RegionQuery& query = parameters.query;
@@ -79,9 +93,6 @@ Table tableOf(Parameters& parameters)
     { "vertices", entry(parameters.shape.vertices, "a list of three numbers [x, y, z] each [m]") },
     { "center", entry(parameters.place.center, "three numbers [x, y, z] [m]") },
     { "base_z", entry(parameters.place.base_z, "a number [m]") },
-    { "set", oneOf(query.criterion.set, SET_NAMES) },
-    { "aspect", oneOf(query.criterion.aspect, ASPECT_NAMES) },
-    { "joint_limits", entry(query.criterion.joint_limits, "true or false") },
     { "accuracy", entry(parameters.accuracy, "a number >= 0 [m]") },
     { "search_box",
       entry(parameters.place.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
@@ -92,6 +103,7 @@ Table tableOf(Parameters& parameters)
     { "psi", oneOf(parameters.psi, PSI_CHOICES) },
     { "tool_link", entry(parameters.urdf.tool_link, "a text, the name of a link fixed to the platform") },
     { "tool", entry(parameters.urdf.tool, "three numbers [x, y, z] [m]") },
+    { "ball_axes", entry(parameters.urdf.ball_axes, "a list of one or of three lists [x, y, z]") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
@@ -104,8 +116,7 @@ Table tableOf(Parameters& parameters)
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
     { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    table[bound.name] = entry(query.criterion.*bound.value, allowedInWords(bound));
+  addCriterion(query.criterion, table);
   return table;
 }
 
@@ -212,6 +223,10 @@ Parameters loadParameters(const ros::NodeHandle& private_node)
   for (const CriterionBound& bound : CRITERION_BOUNDS)  // as in requests
     if (double& value = parameters.query.criterion.*bound.value; bound.is_optional && std::isinf(value) && value > 0.0)
       value = 0.0;
+  for (const JointDatum& datum : JOINT_DATA)
+    for (double& value : parameters.query.criterion.*datum.values)
+      if (std::isinf(value) && value > 0.0)
+        value = 0.0;
   validateBounds(values, parameters.query.criterion, problems);
   parameters.validate(problems);
   for (auto& problem : problems)

@@ -59,7 +59,9 @@ PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, c
 PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const Machine& machine, const Premises& premises)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!evaluator_ || !(premises_ == premises))
+  // equal premises leave aside what the criterion does not count with; at a tool speed paths do
+  if (!evaluator_ || !(premises_ == premises) ||
+      premises_.criterion.joint_speed_max != premises.criterion.joint_speed_max)
   {
     evaluator_ = std::make_shared<const PointEvaluator>(machine, premises.criterion);
     premises_ = premises;

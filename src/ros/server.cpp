@@ -16,6 +16,7 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
   , pavings_(context_, below_)
   , singularities_(context_)
   , conditioning_(context_)
+  , guarantee_(context_)
   , comparisons_(context_)
   , planning_(context_)
   , criterion_(context_,

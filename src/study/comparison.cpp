@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/region_parts.h"
 
@@ -46,6 +47,7 @@ Interval Comparison::largest(Interval JointRange::*part) const
 Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double volume_accuracy, const Tell& tell)
 {
   Comparison study{ machine, query, {} };
+  study.query.criterion = withJointData(machine, query.criterion);
   const Criterion::Aspect aspect = query.criterion.aspect;
   if (aspect == Criterion::Aspect::BOTH)
     throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");

@@ -15,7 +15,8 @@ std::array<double, 3> forEachJoint(const std::vector<double>& values)
   return { at(0), at(1), at(2) };
 }
 
-void setRates(const PathRatesTask& rates, const Machine& machine, PathQuery& query)
+/// @param criterion tells the largest speeds of joints that are meant in place of the machine's
+void setRates(const PathRatesTask& rates, const Machine& machine, const Criterion& criterion, PathQuery& query)
 {
   Problems problems;
   rates.validate(problems);
@@ -24,7 +25,7 @@ void setRates(const PathRatesTask& rates, const Machine& machine, PathQuery& que
   query.holds_limits = rates.tool_speed.has_value();
   query.wants_rates = rates.isAsked();
   for (std::size_t i = 0; i < 3 && !rates.joint_speeds_off; ++i)
-    query.limits.speed[i] = machine.legs()[i].speed;
+    query.limits.speed[i] = criterion.joint_speed_max[i] > 0.0 ? criterion.joint_speed_max[i] : machine.legs()[i].speed;
   if (!rates.joint_acceleration_max.empty())
     query.limits.acceleration = forEachJoint(rates.joint_acceleration_max);
 }
@@ -48,7 +49,7 @@ PathReport checkPath(const PointEvaluator& evaluator, const PathTask& task)
   const Criterion& criterion = evaluator.test().model().criterion();
   PathReport report;
   report.query = task.query;
-  setRates(task.rates, machine, report.query);
+  setRates(task.rates, machine, criterion, report.query);
   PathChecker checker(evaluator, report.query, task.tell);
   PathReach reach(machine);
   task.for_each([&](const PathSegment& segment) {

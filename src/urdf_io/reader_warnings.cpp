@@ -39,8 +39,10 @@ void warnOfHinge(const urdf::Joint& joint, Notices& notices)
   if (joint.type == urdf::Joint::REVOLUTE)
   {
     const std::string limits = rangeText(joint.limits->lower, joint.limits->upper, "rad");
-    notices.push_back({ "joint '" + joint.name + "': the limits " + limits + " of this passive joint are not used",
-                        "the limits of passive joints are not used", limits, joint.name });
+    notices.push_back({ "joint '" + joint.name + "': the limits " + limits +
+                            " of this passive joint hold only where hinge limits are asked for",
+                        "the limits of passive joints hold only where hinge limits are asked for", limits,
+                        joint.name });
   }
   warnOfSoftLimits(joint, "rad", notices);
 }

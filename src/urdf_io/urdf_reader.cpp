@@ -6,6 +6,7 @@
 
 #include "closure.h"
 #include "drawn_rails.h"
+#include "hinge_stops.h"
 #include "number_text.h"
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/interval/decimal.h"
@@ -36,9 +37,32 @@ std::string strutLink(const ClosedLeg& leg)
   return leg.tcp.at_slider.back().child_link;
 }
 
-Leg machineLeg(const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
+/// What the limits of its passive joints mean for the strut, in the root frame.
+void addStops(const Model& model, const Rail& rail, const ClosedLeg& closed, SlidingStrut& strut)
+{
+  HingeStops hinges = hingeStops(closed.tcp, closed.geometry, model);
+  for (StrutStop& stop : hinges.stops)
+    stop.direction = rail.slider.rotation * stop.direction;
+  strut.stops = hinges.stops;
+  strut.open_hinges = hinges.open;
+}
+
+void checkBallAxes(const std::vector<Eigen::Vector3d>& axes)
+{
+  Problems problems;
+  if (!axes.empty() && axes.size() != 1 && axes.size() != 3)
+    complain(problems, "ball_axes: ", axes.size(), " axes, expected one for all legs or one for each of the three");
+  for (const Eigen::Vector3d& axis : axes)
+    if (!axis.allFinite() || !(axis.norm() >= 1e-9 && axis.norm() <= 1e9))
+      complain(problems, "ball_axes: ", vectorText(axis),
+               " is no direction, expected a vector of a length from 1e-9 to 1e9");
+  throwRefusal(problems);
+}
+
+Leg machineLeg(const Model& model, const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
 {
   SlidingStrut strut;
+  addStops(model, rail, closed, strut);
   strut.origin = rail.slider.toOuter(closed.geometry.slider_point);
   strut.axis = rail.axis;
   strut.direction = rail.direction;
@@ -109,14 +133,18 @@ Machine machineAt(const Eigen::Vector3d& zero, const std::string& name, const Ma
   }
 }
 
-Machine makeMachine(const Model& model, const Rails& rails, const Closure& closure)
+Machine makeMachine(const Model& model, const Rails& rails, const Closure& closure, const UrdfOptions& options)
 {
   Problems problems;
   checkSingularities(rails, closure.legs, problems);
   throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
-    legs[i] = machineLeg(rails[i], closure.legs[i], closure.tool);
+  {
+    legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool);
+    if (!options.ball_axes.empty())
+      slidingStrut(legs[i]).ball_axes = { enclose(options.ball_axes[options.ball_axes.size() == 1 ? 0 : i]) };
+  }
   const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);
   if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
     return drawn;
@@ -226,12 +254,13 @@ std::vector<std::string> movedLinks(const Model& model)
 UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
 {
   checkTool(options);
+  checkBallAxes(options.ball_axes);
   const Model model = readModel(xml);
   const Rails rails = findRails(model, options.rails);
   const Closure closure = closeLegs(model, rails, options);
   const ClosedLegs& legs = closure.legs;
   UrdfMachine urdf{
-    makeMachine(model, rails, closure), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {}, {}
+    makeMachine(model, rails, closure, options), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {}, {}
   };
   for (std::size_t i = 0; i < 3; ++i)
   {

@@ -40,8 +40,9 @@ class Fuzz(CommandTest):
         return chance.choice(COMMON if common else NUMBERS)
 
     def words(self, chance, options):
+        share = min(0.15, 3 / len(options))  # few of many, so that not each case is refused
         chosen = {name: values for name, values in options.items()
-                  if name not in BUDGET and (chance.random() < 0.13 or name in REQUIRED)}
+                  if name not in BUDGET and (chance.random() < share or name in REQUIRED)}
         words = [word for name in BUDGET if name in options for word in (f"--{name}", BUDGET[name])]
         if "urdf" in options and "machine" not in chosen:
             words += ["--urdf", chance.choice(list(MACHINES.values()))]

@@ -11,10 +11,11 @@ from xml.etree import ElementTree
 
 from pkm import DATA, MACHINES, URDF, CommandTest
 
-MACHINE = {"urdf", "rails", "tcp-links", "tool-link", "tool"}
+MACHINE = {"urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes"}
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
-BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64 (\w+)$", REQUEST)}
-SHARED_CRITERION = {"set", "aspect", "joint-limits"} | BOUNDS  # of several machines
+BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64(?:\[\])? (\w+)$", REQUEST)}
+JOINT_DATA = {name.replace("_", "-") for name in re.findall(r"(?m)^float64\[\] (\w+)$", REQUEST)}
+SHARED_CRITERION = {"set", "aspect", "joint-limits", "hinge-limits"} | BOUNDS  # of several machines
 CRITERION = SHARED_CRITERION | {"psi"}
 SHAPE = {"shape", "proportions", "ratio", "vertices", "seen-from"}
 MEASURES = {"radius", "height", "footprint"}  # of which the size is what they leave
@@ -30,14 +31,15 @@ OPTIONS = {
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
-    "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
+    "compare": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
-    "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
+    "study": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | {"machine", "parameter", "range", "parts", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | BODY | {"center", "accuracy"},
+    "guarantee": MACHINE | BUDGET | COMMON | BODY | JOINT_DATA | {"center", "aspect", "accuracy", "quantity"},
     "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
                       "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",

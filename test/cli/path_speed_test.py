@@ -46,6 +46,8 @@ class PathSpeed(CommandTest):
                          r"0 0 0\.05' \(line\), near t = 0 of its way: the speed of joint 'tower_\d' is 0\.5 m/s, "
                          r"above its limit of 0\.2 m/s\. The largest feed is proved to be .* m/s; at that 'tower_")
         self.assertBrackets(answer["rates"]["feed"]["lower"], 0.2, answer["rates"]["feed"]["upper"], 1e-12)
+        faster = self.path(*lines, options=("--psi", "auto", "--tool-speed", 0.5, "--joint-speed-max", 0.6))
+        self.assertEqual((faster["verdict"], faster["rates"]["joint_speed_max"]), ("inside", [0.6] * 3))
         slow = self.path(*lines, options=("--psi", "auto", "--tool-speed", 0.1999))
         self.assertEqual(slow["verdict"], "inside")
         self.assertIn("At 0.1999 m/s the joints are proved to keep within their limits.", slow["message"])

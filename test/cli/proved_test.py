@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import sentences
 from claims import Case
 from crooked import crooked
-from oracle import Machine
+from oracle import Machine, Region
 from pkm import CommandTest, run
 from reasons import Wrong
 from spoils import instead, times
@@ -45,6 +45,8 @@ WRONG = {
                       instead(r"there\s+are\s+[^.]*,\s+and\s+no", "there are no"),
                       times(r"\|eta\| \[m\] (?=0\.\d*[1-9])", 2)),
     "mean": (times("index\\s+is\\s+from\\s+", 1.5), ),
+    "guarantee": (times(r"at\s+least\s+", 1.5), times(r"at\s+most\s+", 0.6), times(r"no\s+more\s+than\s+", 0.5),
+                  times(r"no\s+less\s+than\s+", 2)),
     "study": (times(r"of\s+a\s+size\s+above\s+", 0.8), times(r"of\s+size\s+", 1.2)),
     "comparison": (times(r"cube: edge \[m\] +\w+ +", 1.3), times(r"volume for these strokes \[m\^3\] +\w+ +", 9)),
     "evaluation": (instead("yes", "no"), instead(r"no \(", "yes (")),
@@ -214,6 +216,16 @@ class Proved(CommandTest):
                       0.3 * self.machines[name].span, definition="Reachable: all points, in either aspect.")
             self.held(name, "conditioning", "--accuracy", 0.1)
             self.held(name, "conditioning", "--max-boxes", 1)
+
+    def test_guarantees(self):
+        known = ("--joint-stiffness", 1e6, "--joint-error-max", 1e-5, "--joint-speed-max", 1, "--joint-effort-max",
+                 1000)
+        for name in self.urdfs:
+            for share in (0.15, 0.3, 5):
+                words = [*self.box_words(name, share)]
+                region = Region("box", words[words.index("--sides") + 1:][:3], words[1:4])
+                self.held(name, "guarantee", *words, *known, region=region,
+                          definition="Reachable: all points, in either aspect.")
 
     def test_singularities(self):
         for name in self.urdfs:

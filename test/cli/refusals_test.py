@@ -20,7 +20,7 @@ URANESX_STUDY = "study --machine uranesx --parameter R-r "
 REFUSALS = [
     ("", "a command is missing"),
     ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, pave, compare, study, singularities, "
-             "conditioning, urdf"),
+             "guarantee, conditioning, urdf"),
     ("-h", "'-h' is not a command"),
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),

@@ -4,6 +4,7 @@
 import re
 
 import claims
+import guarantee_claims
 import rate_claims
 import table_claims
 from claims import BRACKET, QUALITY
@@ -64,6 +65,8 @@ CLAIMS = {
     "volume": (VOLUME, claims.volume),
     "mean": (MEAN, table_claims.mean),
     "no mean": (NO_MEAN, None),
+    "guarantee": (guarantee_claims.GUARANTEE, guarantee_claims.guarantee),
+    "no guarantee": (guarantee_claims.NO_GUARANTEE, guarantee_claims.nothing),
     "singularities": (r"(?:Undecided: (?P<open>.*?), where .*?\. )?Proved: (?:no point that counts is singular|"
                       r"there are (?:(?P<there>.*), and )?no others)\.(?: (?P<remark>Joint limits are off: .*)|"
                       rf" {N}.*)?",
@@ -76,7 +79,8 @@ CLAIMS = {
     "nothing": (r"Neither is proved: .*|Not decided .* Nothing that was looked at is proved to be outside\..*|"
                 r"Joint limits are off: whether all rails stay within their limits is not proved\.", None),
 }
-STARTS = ("Proved", "Dextrous:", "Reachable:", "Joint limits", "Largest", "Of the", "Neither", "Undecided", "  ")
+STARTS = ("Proved", "Nothing", "Dextrous:", "Reachable:", "Joint limits", "Largest", "Of the", "Neither", "Undecided",
+          "  ")
 
 
 def sentences(text):

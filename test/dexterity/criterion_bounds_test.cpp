@@ -13,7 +13,9 @@
 
 #include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "support/driven_criteria.h"
 #include "support/oracle.h"
 
 namespace pkm_workspace
@@ -25,7 +27,7 @@ namespace
 /// Asks for nothing but bounds; those that every dextrous set has let anything pass.
 Criterion anything(Criterion::Set set)
 {
-  Criterion criterion;
+  Criterion criterion = withMotors(orthoglide());
   criterion.set = set;
   criterion.aspect = Criterion::Aspect::BOTH;
   criterion.psi_min = 1e-3;
@@ -100,8 +102,79 @@ TEST(CriterionBounds, areInMessagesAndDocumentation)
     for (const char* const message : { "msg/CriterionRequest.msg", "msg/Hypotheses.msg" })
       EXPECT_NE(contentOf(message).find(std::string("\nfloat64 ") + bound.name + "\n"), std::string::npos)
           << bound.name << " in " << message;
-    EXPECT_NE(node.find(std::string("`~") + bound.name + "`"), std::string::npos) << bound.name << " in docs/node.md";
+    for (const char* const page : { "docs/node.md", "docs/conditions.md" })
+      EXPECT_NE(contentOf(page).find(std::string("`~") + bound.name + "`"), std::string::npos)
+          << bound.name << " in " << page;
   }
+  for (const JointDatum& datum : JOINT_DATA)
+  {
+    EXPECT_NE(contentOf("msg/CriterionRequest.msg").find(std::string("\nfloat64[] ") + datum.name + "\n"),
+              std::string::npos);
+    EXPECT_NE(contentOf("msg/Hypotheses.msg").find(std::string("\nfloat64[3] ") + datum.name + "\n"),
+              std::string::npos);
+    for (const char* const page : { "docs/node.md", "docs/conditions.md" })
+      EXPECT_NE(contentOf(page).find(std::string("`~") + datum.name + "`"), std::string::npos)
+          << datum.name << " in " << page;
+  }
+}
+
+TEST(JointData, areNeededAndComeFromTheMachine)
+{
+  Machine::Legs legs = orthoglide().legs();
+  legs[1].speed = 2.0;
+  const Machine machine("half known", legs, orthoglide().zero());
+  Criterion criterion;
+  criterion.tool_speed_min = 0.5;
+  Problems problems;
+  requireProvable(machine, withJointData(machine, criterion), problems);
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0],
+            "tool_speed_min needs the largest speed [m/s] of joint 'rail_x', which its URDF does "
+            "not tell: give joint_speed_max, one number or one for each joint");
+  EXPECT_THROW(BoxTest(machine, withJointData(machine, criterion)), std::invalid_argument);
+  criterion.joint_speed_max = { 1.0, 0.0, 3.0 };
+  const Criterion filled = withJointData(machine, criterion);
+  EXPECT_EQ(filled.joint_speed_max, (JointValues{ 1.0, 2.0, 3.0 }));
+  EXPECT_NO_THROW(BoxTest(machine, filled));
+  EXPECT_EQ(describe(filled),
+            "dextrous with psi in [0.5, 2], tool speed at least 0.5 m/s by joints up to (1, 2, 3) m/s, "
+            "own aspect, joint limits off");
+  criterion.tool_speed_min = 0.0;
+  EXPECT_EQ(withJointData(machine, criterion).joint_speed_max[1], 0.0) << "what is not asked for is not told";
+}
+
+TEST(JointData, areRefusedOutOfRange)
+{
+  for (const JointDatum& datum : JOINT_DATA)
+    for (const double bad : { -1.0, 1e101, std::nan(""), INF })
+    {
+      Criterion criterion;
+      (criterion.*datum.values)[2] = bad;
+      Problems problems;
+      criterion.validate(problems);
+      ASSERT_EQ(problems.size(), 1U) << datum.name << " " << bad;
+      EXPECT_EQ(problems[0].find(datum.name), 0U) << problems[0];
+      EXPECT_NE(problems[0].find(std::string("[") + datum.unit + "]"), std::string::npos) << problems[0];
+    }
+}
+
+// Each number counts where its bound is asked for, and only there.
+TEST(JointData, makeADifferenceToTheBytesOfWhatNeedsThem)
+{
+  for (const JointDatum& datum : JOINT_DATA)
+    for (const bool is_asked : { true, false })
+    {
+      Criterion one = anything(Criterion::Set::REACHABLE);
+      one.*datum.bound = is_asked ? 0.5 : 0.0;
+      (one.*datum.values)[1] = 2.0;
+      Criterion other = one;
+      (other.*datum.values)[1] = std::nextafter(2.0, 3.0);
+      EXPECT_EQ(one == other, !is_asked) << datum.name;
+      EXPECT_EQ(describe(one) == describe(other), !is_asked) << datum.name;
+      const std::string bytes = bytesOf(one);
+      ByteReader reader(bytes, bytes.size());
+      EXPECT_TRUE(takeCriterion(reader) == one) << datum.name;
+    }
 }
 
 TEST(CriterionBytes, comeBackAsTheSameCriterion)
@@ -137,9 +210,16 @@ TEST(CriterionBytes, differByWhateverIsAskedForAndByNothingElse)
   Criterion one, other;
   other.aspect = Criterion::Aspect::OTHER;
   EXPECT_FALSE(one == other);
-  other = one;
-  other.joint_limits = true;
-  EXPECT_FALSE(one == other);
+  for (bool Criterion::*flag : { &Criterion::joint_limits, &Criterion::hinge_limits })
+  {
+    other = one;
+    other.*flag = true;
+    EXPECT_FALSE(one == other);
+    EXPECT_NE(describe(one), describe(other));
+    const std::string bytes = bytesOf(other);
+    ByteReader reader(bytes, bytes.size());
+    EXPECT_TRUE(takeCriterion(reader) == other);
+  }
   other = one;
   other.set = Criterion::Set::REACHABLE;
   EXPECT_FALSE(one == other);

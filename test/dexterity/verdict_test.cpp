@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
+#include "support/driven_criteria.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
@@ -85,6 +86,42 @@ TEST(BoxTest, verdictsHoldWithJointLimits)
       const auto counts = expectVerdictsHold(machine, criterion, SEED + 1);
       EXPECT_GT(counts.second, 10) << machine.name();
     }
+}
+
+TEST(BoxTest, verdictsHoldForMotorsAndTolerances)
+{
+  for (const Machine& machine : test::everyKind())
+  {
+    int inside = 0;
+    for (const auto& [name, criterion] : test::drivenCriteria(machine))
+    {
+      SCOPED_TRACE(name);
+      const auto counts = expectVerdictsHold(machine, criterion, SEED + 2);
+      inside += counts.first;
+      EXPECT_GT(counts.second, 10) << machine.name();
+    }
+    EXPECT_GT(inside, 20) << machine.name() << ": the law was hardly tried";
+  }
+}
+
+TEST(BoxTest, verdictsHoldWithHingeLimits)
+{
+  for (const Machine& machine : { orthoglide(), test::crooked(4) })
+  {
+    Machine::Legs legs = machine.legs();
+    for (Leg& leg : legs)
+    {
+      const IntervalVector& axis = slidingStrut(leg).axis;
+      const IntervalVector across = cross(axis, IntervalVector{ 0.3, 0.5, 0.7 });
+      slidingStrut(leg).stops = { { "hinge", false, -0.3, across, Interval(-0.2 * machine.scale()) },
+                                  { "hinge", true, 0.3, Interval(-1.0) * across, Interval(-0.1 * machine.scale()) } };
+    }
+    Criterion criterion = test::withMotors(machine);
+    criterion.hinge_limits = true;
+    const auto counts = expectVerdictsHold(Machine("hinged", legs, machine.zero()), criterion, SEED + 3);
+    EXPECT_GT(counts.first, 2);
+    EXPECT_GT(counts.second, 10);
+  }
 }
 
 TEST(BoxTest, pointsAreDecided)

@@ -251,6 +251,21 @@ TEST(CheckPath, refusesWhatIsOutOfRange)
   expectRefused(with(flat), "must be farther off a line: the sine .* more than 1e-06");
 }
 
+// The second request differs in nothing that its criterion asks of a point.
+TEST(CheckPath, holdsTheJointSpeedsOfEachRequest)
+{
+  CheckPath::Request request;
+  request.segments = { line(point(0, 0, 0), point(0.2, 0, 0)) };
+  request.tool_speed = 0.5;
+  request.criterion.joint_speed_max = { 5.0 };
+  EXPECT_EQ(CheckPath::Response::INSIDE, call<CheckPath>("check_path", request).verdict);
+  request.criterion.joint_speed_max = { 0.1 };
+  const auto slow = call<CheckPath>("check_path", request);
+  EXPECT_EQ(CheckPath::Response::OUTSIDE, slow.verdict) << slow.message;
+  EXPECT_EQ(BindingLimit::JOINT_SPEED, slow.limit.kind);
+  EXPECT_EQ(0.1, slow.limit.bound);
+}
+
 TEST(EvaluatePoint, tellsHowTheMachineStands)
 {
   const auto good = evaluate(0.0, 0.0, 0.0);

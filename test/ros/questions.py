@@ -16,7 +16,8 @@ from node_questions import solid
 from oracle import Machine, Region
 from pkm_workspace.msg import Bounds, CriterionRequest, ErrorCode, RegionRequest
 from pkm_workspace.srv import (CheckRegion, CheckRegionRequest, CompareMachines, CompareMachinesRequest,
-                               ComputeConditioning, ComputeConditioningRequest, FindSingularities,
+                               ComputeConditioning, ComputeConditioningRequest, ComputeGuarantees,
+                               ComputeGuaranteesRequest, FindSingularities,
                                FindSingularitiesRequest, SetCriterion)
 from reasons import Wrong
 
@@ -48,7 +49,7 @@ class Questions:
 
     def ask(self, node):
         for questions in (self.points, self.regions, self.paths, self.largest, self.goals, self.pavings,
-                          self.singularities, self.means, self.tools, self.criteria):
+                          self.singularities, self.means, self.guarantees, self.tools, self.criteria):
             questions(node)
 
     def points(self, node):
@@ -184,6 +185,21 @@ class Questions:
             request = ComputeConditioningRequest(accuracy=0.05, time_limit=limit, **fields)
             answer = node.client.call("compute_conditioning", ComputeConditioning, request)
             self.answered(node, "compute_conditioning", answer, region=region, accuracy=0.05)
+            self.computed(node)
+
+    def guarantees(self, node):
+        known = CriterionRequest(joint_speed_max=[1], joint_effort_max=[1000], joint_stiffness=[1e6],
+                                 joint_error_max=[1e-5])
+        for share in (0.2, 4):
+            sides = [share * node.span] * 3
+            request = ComputeGuaranteesRequest(solid=solid("box", sides), center=Point(*node.center), criterion=known)
+            answer = node.client.call("guarantee", ComputeGuarantees, request)
+            self.assertEqual(len(answer.guarantees), 10)
+            region = Region("box", sides, node.center)
+            for found in answer.guarantees:
+                self.held(node, "guarantee", found.message, answer=answer, region=region,
+                          definition=definition_of(answer.hypotheses))
+            self.answered(node, "guarantee", answer)
             self.computed(node)
 
     def tools(self, node):

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "driven_tool.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
 
@@ -44,7 +45,7 @@ public:
     const auto inverse = [](double factor) { return factor > 0.0 ? 1 / Number(factor) : Number(0); };
     return (criterion_.set == Criterion::Set::REACHABLE || isWithin(criterion_.psi_min, criterion_.psi_max)) &&
            isWithin(inverse(criterion_.force_max), inverse(criterion_.force_min)) &&
-           (criterion_.kappa_max == 0.0 || condition(strut, eta) <= criterion_.kappa_max);
+           (criterion_.kappa_max == 0.0 || condition(strut, eta) <= criterion_.kappa_max) && drivesAreGood(strut, eta);
   }
 
   /// det A [m^3]; the point must be reachable.
@@ -86,6 +87,10 @@ public:
       const int wanted = criterion_.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
       return wanted * det(strut) / (length(0) * length(1) * length(2));
     }
+    if (limit.kind == Kind::BALL_TILT_MAX)
+      return largestTilt(strut);
+    if (limit.kind >= Kind::TOOL_SPEED_MIN)
+      return DrivenTool(criterion_, strut, eta).valueOf(limit.kind);
     const auto [least, largest] = squaredFactors(strut, eta);
     switch (limit.kind)
     {
@@ -156,6 +161,54 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
       offset[k] -= along * e[k];
     return sqrt(dot(offset, offset));
+  }
+
+  /// Speeds, forces, stiffness, errors and angles.
+  bool drivesAreGood(const std::array<Vector, 3>& strut, const Vector& eta) const
+  {
+    if (!criterion_.boundsMore())
+      return true;
+    const DrivenTool tool(criterion_, strut, eta);
+    const auto isKept = [&](Limit::Kind kind, double bound, bool is_lower) {
+      return bound == 0.0 || (is_lower ? tool.valueOf(kind) >= bound : tool.valueOf(kind) <= bound);
+    };
+    using Kind = Limit::Kind;
+    return isKept(Kind::TOOL_SPEED_MIN, criterion_.tool_speed_min, true) &&
+           isKept(Kind::TOOL_FORCE_MIN, criterion_.tool_force_min, true) &&
+           isKept(Kind::STIFFNESS_MIN, criterion_.stiffness_min, true) &&
+           isKept(Kind::POSITION_ERROR_MAX, criterion_.position_error_max, false) &&
+           isKept(Kind::STRUT_ANGLE_MIN, criterion_.strut_angle_min, true) &&
+           isKept(Kind::STRUT_ANGLE_MAX, criterion_.strut_angle_max, false) &&
+           (criterion_.ball_tilt_max == 0.0 || largestTilt(strut) <= criterion_.ball_tilt_max) && hingesAreGood(strut);
+  }
+
+  /// The largest angle between a strut and the way it stands at zero.
+  Number largestTilt(const std::array<Vector, 3>& strut) const
+  {
+    Number largest = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      Vector zero;
+      Number eta;
+      solveLeg(i, { machine_.zero().x(), machine_.zero().y(), machine_.zero().z() }, zero, eta);
+      const Vector& now = strut[static_cast<std::size_t>(i)];
+      const Number cosine = dot(zero, now) / sqrt(dot(zero, zero) * dot(now, now));
+      const Number tilt = acos(cosine > 1 ? Number(1) : cosine);
+      largest = tilt > largest ? tilt : largest;
+    }
+    return largest;
+  }
+
+  bool hingesAreGood(const std::array<Vector, 3>& strut) const
+  {
+    for (int i = 0; criterion_.hinge_limits && i < 3; ++i)
+      for (const StrutStop& stop : slidingStrut(machine_.leg(i)).stops)
+      {
+        const Vector u = { stop.direction[0].mid(), stop.direction[1].mid(), stop.direction[2].mid() };
+        if (dot(u, strut[static_cast<std::size_t>(i)]) < stop.least.mid())
+          return false;
+      }
+    return true;
   }
 
   /// psi_3 / psi_1.

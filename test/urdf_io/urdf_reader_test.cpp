@@ -222,7 +222,8 @@ TEST(UrdfReader, warnsOfWhatIsNotUsed)
             (std::vector<std::string>{
                 "joint 'rail_y': <origin ryp> is no attribute of it and not used",
                 "joint 'rail_y': <orign> is no element of a joint and not used",
-                "the limits of passive joints are not used: [-0.5, 0.75] rad ('revolute_1'), [-1, 1] rad "
+                "the limits of passive joints hold only where hinge limits are asked for: [-0.5, 0.75] rad "
+                "('revolute_1'), [-1, 1] rad "
                 "('revolute_back_2')",
                 "joint 'rail_z': the soft limits [-0.1, 0.2] m of its <safety_controller> are not used" }));
 }

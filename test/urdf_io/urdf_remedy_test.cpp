@@ -59,7 +59,8 @@ TEST(UrdfRemedies, xacroThatWasNotRun)
 TEST(UrdfRemedies, oneSentenceForEachKind)
 {
   EXPECT_EQ(readUrdfFile(fileOf("passive_limits.urdf")).warnings,
-            (Sentences{ "the limits of passive joints are not used: [-0.35, 0.35] rad ('u1_1', 'u2_1', 'v2_1', 'v1_1', "
+            (Sentences{ "the limits of passive joints hold only where hinge limits are asked for: [-0.35, 0.35] rad "
+                        "('u1_1', 'u2_1', 'v2_1', 'v1_1', "
                         "'u1_2', 'u2_2', 'v2_2', 'v1_2', 'u1_3', 'u2_3', 'v2_3', 'v1_3')" }));
   std::string urdf = good();
   for (const char* const joint : { "rail_x", "rail_z" })

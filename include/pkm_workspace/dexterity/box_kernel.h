@@ -32,16 +32,18 @@ struct FormOrigin
 /// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
 struct NecessaryForms
 {
-  /// 2 for the factors (8 from multi-precision), 3 each for the reach and the condition number, 1 for the aspect, 6 for
-  /// the joint limits.
-  static constexpr std::size_t MOST = 21;
+  /// One for each side on which the factors are bounded, 3 for forces, 1 for the stiffness, 4 for errors of position.
+  static constexpr std::size_t MOST_MATRICES = 10;
+  /// One for each matrix (four from multi-precision, where the last ones may be left out), 3 each for the reach, the
+  /// condition number and the tool's speed, 1 for the aspect, 6 each for the joint limits and the struts' angles.
+  static constexpr std::size_t MOST = 40;
 
-  bool violated = false;                         ///< no point of the box can satisfy the criterion, proved
-  std::size_t matrices = 0;                      ///< one for each side on which the factors are bounded
-  std::size_t forms = 0;                         ///< how many of the forms are in use; the aspect's only where in doubt
-  std::array<SymmetricForms<double>, 2> matrix;  ///< S_max and S_min, those that count, without unit
-  std::array<ConditionKind, 2> kind;             ///< of each matrix
-  std::array<AffineForm<double>, MOST> form;     ///< without unit
+  bool violated = false;     ///< no point of the box can satisfy the criterion, proved
+  std::size_t matrices = 0;  ///< how many of the matrices are in use
+  std::size_t forms = 0;     ///< how many of the forms are in use; the aspect's only where in doubt
+  std::array<SymmetricForms<double>, MOST_MATRICES> matrix;  ///< those that count, without unit
+  std::array<ConditionKind, MOST_MATRICES> kind;             ///< of each matrix
+  std::array<AffineForm<double>, MOST> form;                 ///< without unit
 };
 
 /// The arithmetic of the verdicts, for several boxes at a time: as many as the processor works on side by side. What it

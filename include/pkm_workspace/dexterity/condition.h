@@ -10,15 +10,24 @@ namespace pkm_workspace
 /// The kinds of conditions, as answers name them.
 enum class ConditionKind
 {
-  REACH,        ///< |q|, the strut's offset across its rail, is at most its length [m]
-  JOINT_LOWER,  ///< rho is at least its lower limit [m]
-  JOINT_UPPER,  ///< rho is at most its upper limit [m]
-  ASPECT,       ///< det A over the struts' lengths has the sign asked for
-  PSI_MIN,      ///< the least velocity transmission factor
-  PSI_MAX,      ///< the largest velocity transmission factor
-  FORCE_MIN,    ///< the least force transmission factor
-  FORCE_MAX,    ///< the largest force transmission factor
-  KAPPA_MAX,    ///< the condition number of J
+  REACH,               ///< |q|, the strut's offset across its rail, is at most its length [m]
+  JOINT_LOWER,         ///< rho is at least its lower limit [m]
+  JOINT_UPPER,         ///< rho is at most its upper limit [m]
+  ASPECT,              ///< det A over the struts' lengths has the sign asked for
+  PSI_MIN,             ///< the least velocity transmission factor
+  PSI_MAX,             ///< the largest velocity transmission factor
+  FORCE_MIN,           ///< the least force transmission factor
+  FORCE_MAX,           ///< the largest force transmission factor
+  KAPPA_MAX,           ///< the condition number of J
+  TOOL_SPEED_MIN,      ///< the speed that a leg's joint allows the tool in every direction [m/s]
+  TOOL_FORCE_MIN,      ///< the force that a leg's joint allows the tool in every direction [N]
+  STIFFNESS_MIN,       ///< the least stiffness at the tool [N/m]
+  POSITION_ERROR_MAX,  ///< the largest error of the tool's position [m]
+  STRUT_ANGLE_MIN,     ///< the angle between a strut and its rail [rad]
+  STRUT_ANGLE_MAX,     ///< the same [rad]
+  BALL_TILT_MAX,       ///< the angle between a strut and the axis of a ball joint at its ends [rad]
+  HINGE_LOWER,  ///< a passive hinge is at its lower limit or above: what its stop measures at the strut's end [m]
+  HINGE_UPPER,  ///< a passive hinge is at its upper limit or below [m]
   // of a path that is gone along at a speed; no criterion asks for these at a point
   JOINT_SPEED = 64,   ///< |qdot| is at most what the joint reaches [m/s]
   JOINT_ACCELERATION  ///< |qddot| is at most what the joint reaches [m/s^2]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "pkm_workspace/common/budget.h"
@@ -9,6 +10,9 @@
 
 namespace pkm_workspace
 {
+/// A number of each leg, in their order; 0 where none is known.
+using JointValues = std::array<double, 3>;
+
 /// What is asked of every point of a region (paper, section 2.1.1): that the struts reach it, and each of the bounds
 /// that are set. Values with defaults; validate() tells what is wrong.
 struct Criterion
@@ -41,6 +45,25 @@ struct Criterion
   double kappa_max = 0.0;     ///< largest condition number psi_3 / psi_1 of J, without unit, >= 1; 0 = none
   bool joint_limits = false;  ///< whether the joint limits of the machine hold too
 
+  // Of a machine with motors and tolerances (docs/conditions.md); 0 = none is asked for. In every direction of the
+  // tool:
+  double tool_speed_min = 0.0;      ///< least speed that the joints allow [m/s]
+  double tool_force_min = 0.0;      ///< least static force that the joints allow [N]
+  double stiffness_min = 0.0;       ///< least stiffness [N/m]
+  double position_error_max = 0.0;  ///< largest error of position, to first order in the joints' errors [m]
+  // Of each strut against its rail:
+  double strut_angle_min = 0.0;  ///< least angle, in (0, pi/2) [rad]
+  double strut_angle_max = 0.0;  ///< largest angle, >= strut_angle_min [rad]
+  double ball_tilt_max = 0.0;    ///< largest tilt of its ball joints from their axes, in (0, pi/2) [rad]
+  bool hinge_limits = false;     ///< whether the limits of the machine's passive hinges hold too
+
+  // What these count with (joint_data.h).
+  JointValues joint_speed_max{};   ///< [m/s], for tool_speed_min
+  JointValues joint_effort_max{};  ///< [N], for tool_force_min
+  JointValues joint_stiffness{};   ///< of the drives [N/m], for stiffness_min
+  JointValues strut_stiffness{};   ///< along the struts [N/m], for stiffness_min; 0 = rigid
+  JointValues joint_error_max{};   ///< [m], for position_error_max
+
   /// Appends one sentence for each value that is out of range.
   void validate(Problems& problems) const;
 
@@ -49,13 +72,23 @@ struct Criterion
   bool boundsAbove() const { return set == Set::DEXTROUS || force_min > 0.0; }
   bool boundsCondition() const { return kappa_max > 0.0; }
   /// Whether anything is asked of the factors. Where it is not, the set is bounded by single conditions.
-  bool boundsFactors() const { return boundsBelow() || boundsAbove() || boundsCondition(); }
+  bool boundsFactors() const { return boundsBelow() || boundsAbove() || boundsCondition() || boundsMore(); }
+  /// Whether anything is asked of speeds, forces, stiffness, errors or angles.
+  bool boundsMore() const
+  {
+    return definesSign() || tool_speed_min > 0.0 || strut_angle_min > 0.0 || strut_angle_max > 0.0 ||
+           ball_tilt_max > 0.0 || hinge_limits;
+  }
   /// Whether det A has no zero in the set, so that one point of a connected region settles its sign.
-  bool settlesAspect() const { return boundsBelow() || boundsCondition(); }
+  bool settlesAspect() const { return boundsBelow() || boundsCondition() || definesSign(); }
   /// Encloses the larger of psi_min and 1 / force_max. @pre boundsBelow()
   Interval leastFactor() const;
   /// Encloses the smaller of psi_max and 1 / force_min. @pre boundsAbove()
   Interval largestFactor() const;
+
+private:
+  /// Whether a condition fails where det A is 0, besides those on factors.
+  bool definesSign() const { return tool_force_min > 0.0 || stiffness_min > 0.0 || position_error_max > 0.0; }
 };
 
 /// Whether they ask for the same: criterion_bytes.h.

@@ -10,7 +10,8 @@ namespace pkm_workspace
 /// difference to the bytes, which operator== compares.
 Criterion canonical(const Criterion& criterion);
 
-/// Puts the canonical criterion: set, aspect, the bounds in their order, joint limits.
+/// Puts the canonical criterion: set, aspect, the bounds in their order, joint limits; what counts for machines with
+/// motors and tolerances only where it is asked for.
 void put(const Criterion& criterion, ByteWriter& writer);
 /// Takes it out again. @throws std::runtime_error for what put() does not write, but numbers are not looked at
 Criterion takeCriterion(ByteReader& reader);

@@ -5,11 +5,18 @@
 #include <type_traits>
 
 #include "pkm_workspace/dexterity/conditions/aspect_sign.h"
+#include "pkm_workspace/dexterity/conditions/ball_tilt.h"
 #include "pkm_workspace/dexterity/conditions/condition_number.h"
+#include "pkm_workspace/dexterity/conditions/hinge_limits.h"
 #include "pkm_workspace/dexterity/conditions/joint_limits.h"
 #include "pkm_workspace/dexterity/conditions/largest_factor.h"
 #include "pkm_workspace/dexterity/conditions/least_factor.h"
+#include "pkm_workspace/dexterity/conditions/position_error.h"
 #include "pkm_workspace/dexterity/conditions/reach.h"
+#include "pkm_workspace/dexterity/conditions/stiffness.h"
+#include "pkm_workspace/dexterity/conditions/strut_angle.h"
+#include "pkm_workspace/dexterity/conditions/tool_force.h"
+#include "pkm_workspace/dexterity/conditions/tool_speed.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 
 namespace pkm_workspace
@@ -18,8 +25,9 @@ namespace pkm_workspace
 /// last, as a sign at one point counts only where the others keep det A from 0. A new one is a file of conditions/ and
 /// an entry here.
 template <class Real>
-using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, LargestFactor<Real>, LeastFactor<Real>,
-                              ConditionNumber<Real>, AspectSign<Real>>;
+using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, StrutAngle<Real>, BallTilt<Real>, HingeLimits<Real>,
+                              ToolSpeed<Real>, LargestFactor<Real>, LeastFactor<Real>, ConditionNumber<Real>,
+                              ToolForce<Real>, Stiffness<Real>, PositionError<Real>, AspectSign<Real>>;
 
 /// The least steepest() of these conditions.
 template <class... Each>
@@ -32,6 +40,9 @@ std::optional<Interval> steepestOf(const Criterion& criterion, const std::tuple<
   return least;
 }
 
+/// The criterion. @throws std::invalid_argument when it is not valid, or asks of this machine what cannot be proved
+const Criterion& validated(const Machine& machine, const Criterion& criterion);
+
 /// A machine and a criterion, prepared for the evaluation of boxes. Real is double, a pack of doubles or a
 /// multi-precision type. Thread-safe: constant after construction.
 template <class Real>
@@ -40,7 +51,7 @@ class MachineModel
 public:
   /// @throws std::invalid_argument when the criterion is not valid
   MachineModel(const Machine& machine, const Criterion& criterion)
-    : criterion_(validated(criterion))
+    : criterion_(validated(machine, criterion))
     , legs_(machine, steepest(criterion))
     , conditions_(makeConditions(machine, criterion, static_cast<Conditions<Real>*>(nullptr)))
   {

@@ -3,6 +3,7 @@
 
 #include "pkm_workspace/dexterity/eigen_witness.h"
 #include "pkm_workspace/dexterity/machine_forms.h"
+#include "pkm_workspace/interval/pencil_bounds.h"
 
 namespace pkm_workspace
 {
@@ -62,6 +63,28 @@ SymmetricForms<Real> gramMatrix(const LegModels<Real>& legs, const MachineForms<
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
+}
+
+/// Encloses the eigenvalues, ascending, of the pencil M - sigma D over a box, for the matrix D with these positive
+/// forms on its diagonal and nothing else.
+template <class Real>
+std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& m, const std::array<AffineForm<Real>, 3>& d)
+{
+  using std::sqrt;
+  std::array<Real, 3> inverse;
+  for (std::size_t i = 0; i < 3; ++i)
+    inverse[i] = Real(1) / sqrt(d[i].center);
+  eigen::Symmetric<Real> matrix;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    matrix[i] = m[i].center * inverse[i] * inverse[i];
+    matrix[3 + i] = m[3 + i].center * inverse[(i + 1) % 3] * inverse[(i + 2) % 3];
+  }
+  eigen::Basis<Real> basis = eigen::basisOf(matrix);
+  for (auto& vector : basis.vector)
+    for (std::size_t i = 0; i < 3; ++i)
+      vector[i] = vector[i] * inverse[i];
+  return pencilEigenvalues(m, diagonal(d), basis.vector, basis.value);
 }
 
 /// The eigenvalues psi_1^2 and psi_3^2 of (J J^T)^-1 at one point, in floating point, and vectors u with

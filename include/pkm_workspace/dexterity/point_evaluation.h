@@ -14,10 +14,12 @@ struct Limit
   using Kind = ConditionKind;
 
   Kind kind = Kind::REACH;
-  int leg = -1;           ///< 0, 1, 2; -1 where the condition is about all legs
-  Interval value = 0.0;   ///< encloses what is bounded
-  double bound = 0.0;     ///< what bounds it
-  Interval margin = 0.0;  ///< encloses how far it is within its bound, in the same unit; negative where it is violated
+  int leg = -1;          ///< 0, 1, 2; -1 where the condition is about all legs
+  Interval value = 0.0;  ///< encloses what is bounded
+  double bound = 0.0;    ///< what bounds it
+  /// Encloses how far it is within its bound, in the same unit; negative where it is violated
+  Interval margin = 0.0;
+  int stop = -1;  ///< of a hinge: which one of SlidingStrut::stops; otherwise -1
 
   bool isViolated() const { return margin.certainlyNegative(); }
 };

@@ -211,6 +211,16 @@ inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
   return { v.center[k], v.linear[k], affine::radiusOf(v, k) };
 }
 
+/// Encloses u . v for a constant vector u.
+template <class Real>
+inline AffineForm<Real> dot(const EnclosedVector<Real>& u, const AffineVector<Real>& v)
+{
+  AffineForm<Real> sum;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum = sum + Enclosed<Real>(u.value[k], u.radius) * component(v, k);
+  return sum;
+}
+
 /// Encloses a . (p - c) for p in the box. @param rows the first of which is a
 template <class Real, template <class> class Domain>
 inline AffineForm<Real> dotOffset(const EnclosedMatrix<Real>& rows, const EnclosedVector<Real>& c,

@@ -15,6 +15,8 @@ std::string roundedDown(double value, int decimals);
 std::string roundedUp(double value, int decimals);
 /// The smallest number with @p digits significant digits that is not below @p value.
 std::string significantAbove(double value, int digits);
+/// The largest number with @p digits significant digits that is not above @p value.
+std::string significantBelow(double value, int digits);
 /// As people write it, 0.3: no more digits than it takes to read back as exactly this double. 0 has no sign.
 std::string exact(double value);
 /// The double nearest to the number that all of the text is, in any locale; NaN where no ordinary double is near

@@ -20,6 +20,20 @@ inline Enclosed<Real> squared(const Interval& x)
     return Enclosed<Real>(x) * Enclosed<Real>(x);
 }
 
+/// Encloses x / y for y > 0 as closely as the type allows.
+template <class Real>
+inline Enclosed<Real> quotient(double x, double y)
+{
+  using std::abs;
+  if constexpr (std::is_same<typename rounding::ScalarOf<Real>::Type, double>::value)
+    return Enclosed<Real>(Interval(x) / Interval(y));
+  else
+  {
+    const Real value = Real(x) / Real(y);
+    return { value, affine::widened(Real(0), abs(value), 4) };
+  }
+}
+
 /// A constant vector or matrix in doubles with one bound on the error of every entry.
 template <class Real>
 struct EnclosedVector

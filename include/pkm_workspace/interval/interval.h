@@ -91,6 +91,8 @@ Interval abs(const Interval& x);
 /// { sin(a) : a in x }, { cos(a) : a in x } for a single angle a [rad]; correctly rounded by MPFR.
 Interval sin(double angle);
 Interval cos(double angle);
+/// { acos(a) : a in x and in [-1, 1] } [rad]; empty where there is no such a. Correctly rounded by MPFR.
+Interval acos(const Interval& x);
 
 /// The two doubles that pi lies between.
 Interval pi();

@@ -48,6 +48,10 @@ public:
   bool hasParallelRails() const;
   /// Whether any joint has a limit.
   bool hasJointLimits() const;
+  /// Whether any passive hinge has one.
+  bool hasHingeLimits() const;
+  /// Along the strut of leg i, from A to B, where its ball joints are not tilted; of any length.
+  std::vector<IntervalVector> ballAxes(int i) const;
   /// The largest length of a leg, rounded up [m]: the scale of everything.
   double scale() const;
   /// A name for exactly this geometry, limits, working mode and aspect included: a UUID (version 5).

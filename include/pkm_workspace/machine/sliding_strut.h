@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/common/problems.h"
 #include "pkm_workspace/interval/interval_vector.h"
@@ -12,6 +13,16 @@
 
 namespace pkm_workspace
 {
+/// A stop of a passive hinge: the hinge is within its limit where n . direction >= least, for the strut's vector n.
+struct StrutStop
+{
+  std::string joint;         ///< name of the hinge
+  bool is_upper;             ///< whether the limit is the upper one
+  double limit;              ///< [rad]
+  IntervalVector direction;  ///< without unit
+  Interval least;            ///< [m]
+};
+
 /// A kind of leg (paper, section 3.1): a slider on a rail, and a strut of fixed length (a parallelogram, so that the
 /// platform never turns) from the slider point A to the platform point B. Its joint value moves the slider. Lengths
 /// [m], all in the machine's root frame. The formulas are in sliding_strut_forms.h.
@@ -25,6 +36,10 @@ struct SlidingStrut
   /// Rails that are known to share one direction have the same number here, or the opposite one where they point
   /// against each other. 0: no more is known than the axis.
   int direction = 0;
+  std::vector<StrutStop> stops = {};          ///< of its passive hinges
+  std::vector<std::string> open_hinges = {};  ///< why a limit of a passive hinge is no such stop, one sentence each
+  /// Along the strut, from A to B, where its ball joints are not tilted, of any length > 0: empty: as at zero.
+  std::vector<IntervalVector> ball_axes = {};
 };
 
 /// A sliding strut as its formulas need it, in the constants of one arithmetic (docs/theory.md; paper, section 3.2).

@@ -203,6 +203,54 @@ inline auto kappa_max(double value)
 {
   return [value](auto& request) { request.criterion.kappa_max = value; };
 }
+inline auto tool_speed_min(double value)
+{
+  return [value](auto& request) { request.criterion.tool_speed_min = value; };
+}
+inline auto tool_force_min(double value)
+{
+  return [value](auto& request) { request.criterion.tool_force_min = value; };
+}
+inline auto stiffness_min(double value)
+{
+  return [value](auto& request) { request.criterion.stiffness_min = value; };
+}
+inline auto position_error_max(double value)
+{
+  return [value](auto& request) { request.criterion.position_error_max = value; };
+}
+inline auto strut_angle_min(double value)
+{
+  return [value](auto& request) { request.criterion.strut_angle_min = value; };
+}
+inline auto strut_angle_max(double value)
+{
+  return [value](auto& request) { request.criterion.strut_angle_max = value; };
+}
+inline auto ball_tilt_max(double value)
+{
+  return [value](auto& request) { request.criterion.ball_tilt_max = value; };
+}
+inline auto joint_speed_max(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.criterion.joint_speed_max = values; };
+}
+inline auto joint_effort_max(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.criterion.joint_effort_max = values; };
+}
+inline auto joint_stiffness(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.criterion.joint_stiffness = values; };
+}
+inline auto strut_stiffness(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.criterion.strut_stiffness = values; };
+}
+inline auto joint_error_max(const std::vector<double>& values)
+{
+  return [values](auto& request) { request.criterion.joint_error_max = values; };
+}
 inline auto set(std::uint8_t value)
 {
   return [value](auto& request) { request.criterion.set = value; };
@@ -214,6 +262,10 @@ inline auto aspect(std::uint8_t value)
 inline auto joint_limits(bool on)
 {
   return [on](auto& request) { request.criterion.joint_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
+}
+inline auto hinge_limits(bool on)
+{
+  return [on](auto& request) { request.criterion.hinge_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
 }
 }  // namespace with
 }  // namespace pkm_workspace

@@ -9,6 +9,7 @@
 #include "pkm_workspace/ros/conditioning_service.h"
 #include "pkm_workspace/ros/criterion_service.h"
 #include "pkm_workspace/ros/diagnostics.h"
+#include "pkm_workspace/ros/guarantee_service.h"
 #include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_service.h"
@@ -42,6 +43,7 @@ private:
   PavingService pavings_;
   SingularityService singularities_;
   ConditioningService conditioning_;
+  GuaranteeService guarantee_;
   ComparisonService comparisons_;
   PlannerService planning_;
   CriterionService criterion_;

@@ -17,8 +17,9 @@ struct PathRatesTask
   /// Constant along the path [m/s]: the joints have to keep their limits then. Without it none is held, and joint
   /// speeds are those for 1 m/s.
   std::optional<double> tool_speed = {};
-  bool largest_feed = false;                        ///< the largest feed is asked for, which a tool speed asks for too
-  bool joint_speeds_off = false;                    ///< the largest speeds of the machine's joints are left aside
+  bool largest_feed = false;  ///< the largest feed is asked for, which a tool speed asks for too
+  /// The largest speeds of the joints are left aside: those of the criterion, and the machine's where it has none.
+  bool joint_speeds_off = false;
   std::vector<double> joint_acceleration_max = {};  ///< one number for all joints, one for each, or none [m/s^2]
 
   bool isAsked() const { return largest_feed || tool_speed.has_value(); }

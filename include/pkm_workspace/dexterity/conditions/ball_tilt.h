@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "pkm_workspace/dexterity/condition.h"
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/interval/enclosed_constants.h"
+
+namespace pkm_workspace
+{
+/// Each ball joint tilts by no more than the angle phi from its axis a: n . a >= |n| |a| cos phi, for each axis of
+/// Machine::ballAxes().
+template <class Real>
+class BallTilt
+{
+public:
+  static constexpr bool BOUNDS_FACTORS = true;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  /// The angle between strut and axis, of the worse end.
+  template <class At>
+  static void tellLimits(At& at)
+  {
+    const double most = at.criterion().ball_tilt_max;
+    for (int leg = 0; most > 0.0 && at.hasValues() && leg < 3; ++leg)
+    {
+      const IntervalVector& row = at.configuration().strut[static_cast<std::size_t>(leg)];
+      Interval largest(0.0);
+      for (const IntervalVector& axis : at.machine().ballAxes(leg))
+      {
+        const Interval tilt = acos(dot(row, axis) / (norm(row) * norm(axis)));
+        largest = { std::max(largest.lower(), tilt.lower()), std::max(largest.upper(), tilt.upper()) };
+      }
+      at.atMost(ConditionKind::BALL_TILT_MAX, leg, largest, most);
+    }
+  }
+
+  BallTilt(const Machine& machine, const Criterion& criterion)
+  {
+    for (std::size_t leg = 0; criterion.ball_tilt_max > 0.0 && leg < 3; ++leg)
+    {
+      const Interval length = sqrtAboveZero(squaredRow(machine.enclosed(static_cast<int>(leg))));
+      for (const IntervalVector& axis : machine.ballAxes(static_cast<int>(leg)))
+        cones_.push_back(
+            { leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cos(criterion.ball_tilt_max))) });
+    }
+  }
+  template <class Other>
+  explicit BallTilt(const BallTilt<Other>& other)
+  {
+    for (const auto& cone : other.cones_)
+      cones_.push_back({ cone.leg, EnclosedVector<Real>(cone.axis), Enclosed<Real>(cone.minus_least) });
+  }
+
+  template <class Place, class Visitor>
+  void visit(const Place& place, Visitor& visitor) const
+  {
+    for (const Cone& cone : cones_)
+      visitor.scalar({ ConditionKind::BALL_TILT_MAX, cone.leg },
+                     dot(cone.axis, place.forms.legs[cone.leg].row) + cone.minus_least, 1);
+  }
+
+  Real margin(const NearPlace<Real>& place) const
+  {
+    using std::min;
+    Real least(NO_MARGIN);
+    for (const Cone& cone : cones_)
+      least =
+          min(least, (dot(cone.axis.value, place.at.legs[cone.leg].row) + cone.minus_least.value) * place.per_length);
+    return least;
+  }
+
+private:
+  template <class>
+  friend class BallTilt;
+
+  struct Cone
+  {
+    std::size_t leg;
+    EnclosedVector<Real> axis;
+    Enclosed<Real> minus_least;  ///< -|n| |a| cos phi
+  };
+
+  std::vector<Cone> cones_;
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pkm_workspace/dexterity/condition.h"
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/pencil_forms.h"
+#include "pkm_workspace/interval/enclosed_constants.h"
+
+namespace pkm_workspace
+{
+/// The tool is nowhere farther than E from where it should be, to first order, while each joint is off by no more than
+/// its eps_i: the error A^-1 y with y_i = +-b_i eps_i is longest at a corner of that box, so G - y y^T / E^2 is
+/// semidefinite for four patterns of signs.
+template <class Real>
+class PositionError
+{
+public:
+  static constexpr bool BOUNDS_FACTORS = true;
+  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  /// The longest of the four sums +-b_i eps_i (n_j x n_k) / det A.
+  template <class At>
+  static void tellLimits(At& at)
+  {
+    const Criterion& criterion = at.criterion();
+    if (!(criterion.position_error_max > 0.0) || !at.hasValues())
+      return;
+    const Configuration& there = at.configuration();
+    Interval largest(0.0);
+    for (const auto& signs : SIGNS)
+    {
+      IntervalVector sum;
+      for (std::size_t leg = 0; leg < 3; ++leg)
+        sum = sum + Interval(signs[leg] * criterion.joint_error_max[leg]) * there.eta[leg] *
+                        cross(there.strut[(leg + 1) % 3], there.strut[(leg + 2) % 3]);
+      const Interval length = norm(sum);
+      largest = { std::max(largest.lower(), length.lower()), std::max(largest.upper(), length.upper()) };
+    }
+    const Interval det_a = abs(there.det_a);
+    at.atMost(ConditionKind::POSITION_ERROR_MAX, -1, det_a.certainlyPositive() ? largest / det_a : Interval(0.0, INF),
+              criterion.position_error_max);
+  }
+
+  PositionError(const Machine& /*machine*/, const Criterion& criterion) : is_asked_(criterion.position_error_max > 0.0)
+  {
+    for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
+      share_[leg] = quotient<Real>(criterion.joint_error_max[leg], criterion.position_error_max);
+  }
+  template <class Other>
+  explicit PositionError(const PositionError<Other>& other) : is_asked_(other.is_asked_)
+  {
+    for (std::size_t leg = 0; leg < 3; ++leg)
+      share_[leg] = Enclosed<Real>(other.share_[leg]);
+  }
+
+  template <class Place, class Visitor>
+  void visit(const Place& place, Visitor& visitor) const
+  {
+    if (!is_asked_)
+      return;
+    SymmetricForms<Real> gram = gramMatrix(place.legs, place.forms);
+    SymmetricForms<Real> product;  // y y^T / E^2, all signs positive
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      gram[i] = gram[i] - share_[i] * share_[i] * place.forms.legs[i].squared_drive;
+      product[3 + i] = share_[j] * share_[k] * (place.forms.legs[j].drive * place.forms.legs[k].drive);
+    }
+    for (const auto& signs : SIGNS)
+    {
+      SymmetricForms<Real> matrix = gram;
+      for (std::size_t i = 0; i < 3; ++i)
+        matrix[3 + i] =
+            signs[(i + 1) % 3] * signs[(i + 2) % 3] > 0.0 ? gram[3 + i] - product[3 + i] : gram[3 + i] + product[3 + i];
+      visitor.matrix({ ConditionKind::POSITION_ERROR_MAX }, matrix);
+    }
+  }
+
+  Real margin(const NearPlace<Real>& place) const
+  {
+    using std::min;
+    Real least(NO_MARGIN);
+    if (!is_asked_)
+      return least;
+    for (const auto& signs : SIGNS)
+    {
+      std::array<Real, 3> y;
+      for (std::size_t i = 0; i < 3; ++i)
+        y[i] = Real(signs[i]) * share_[i].value * place.at.legs[i].drive;
+      eigen::Symmetric<Real> matrix = pencilNear(place.legs, place.at, Real(0), Real(1));
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        matrix[i] = matrix[i] - y[i] * y[i];
+        matrix[3 + i] = matrix[3 + i] - y[(i + 1) % 3] * y[(i + 2) % 3];
+      }
+      least = min(least, eigen::leastEigenpair(matrix).value * place.per_square);
+    }
+    return least;
+  }
+
+private:
+  template <class>
+  friend class PositionError;
+
+  /// All patterns but for a common sign.
+  static constexpr double SIGNS[4][3] = {
+    { 1.0, 1.0, 1.0 }, { -1.0, 1.0, 1.0 }, { 1.0, -1.0, 1.0 }, { 1.0, 1.0, -1.0 }
+  };
+
+  bool is_asked_;
+  std::array<Enclosed<Real>, 3> share_;  ///< eps_i / E
+};
+}  // namespace pkm_workspace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/machine/machine.h"
+
+namespace pkm_workspace
+{
+/// A number of each leg that bounds of a Criterion are reckoned with, and all that people and programs are told of it.
+struct JointDatum
+{
+  const char* name;                ///< of parameter, message field and JSON member; an option has '-' for '_'
+  JointValues Criterion::*values;  ///< the numbers themselves, > 0; 0 where none is known
+  double Criterion::*bound;        ///< the bound that they count for
+  bool is_needed;                  ///< whether that bound cannot do without
+  double Leg::*own;                ///< what a machine's legs tell of themselves; nullptr where that is nothing
+  const char* unit;
+  const char* subject;  ///< "the largest speed"
+  const char* brief;    ///< its part of describe(), {} for the numbers
+  const char* help;     ///< of its option
+
+  bool isAskedBy(const Criterion& criterion) const
+  {
+    return criterion.*bound > 0.0 && criterion.*values != JointValues{};
+  }
+};
+
+// clang-format off
+inline constexpr std::array<JointDatum, 5> JOINT_DATA = { {
+  { "joint_speed_max", &Criterion::joint_speed_max, &Criterion::tool_speed_min, true, &Leg::speed, "m/s",
+    "the largest speed", " by joints up to {} m/s", "largest speed of a joint; without it, the URDF's velocity" },
+  { "joint_effort_max", &Criterion::joint_effort_max, &Criterion::tool_force_min, true, &Leg::effort, "N",
+    "the largest force", " by joints up to {} N", "largest force of a joint; without it, the URDF's effort" },
+  { "joint_stiffness", &Criterion::joint_stiffness, &Criterion::stiffness_min, true, nullptr, "N/m",
+    "the stiffness of its drive", " by drives of {} N/m", "stiffness of a joint's drive along its rail" },
+  { "strut_stiffness", &Criterion::strut_stiffness, &Criterion::stiffness_min, false, nullptr, "N/m",
+    "the stiffness of its strut", " and struts of {} N/m",
+    "stiffness of a strut along itself; without it, struts are rigid" },
+  { "joint_error_max", &Criterion::joint_error_max, &Criterion::position_error_max, true, nullptr, "m",
+    "the largest error", " by joints off by up to {} m", "largest error of a joint's position (encoder, backlash)" },
+} };
+// clang-format on
+
+/// "1" where all legs have one number, else "(1, 2, 1)", each by all its digits.
+std::string exact(const JointValues& values);
+
+/// What is known of the joints that the criterion counts with, in words: "" where that is nothing.
+/// @param bound of the criterion that it is said of
+std::string jointDataInWords(const Criterion& criterion, double Criterion::*bound);
+
+/// The same criterion with what the machine tells of its joints wherever a number is needed and not given.
+Criterion withJointData(const Machine& machine, Criterion criterion);
+
+/// Tells which number is out of range.
+void validateJointData(const Criterion& criterion, Problems& problems);
+/// Tells what the criterion asks of this machine and cannot be proved of it: a number that is needed and not known, a
+/// passive hinge whose limits are no stops of its strut.
+void requireProvable(const Machine& machine, const Criterion& criterion, Problems& problems);
+}  // namespace pkm_workspace

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/dexterity/joint_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pkm_workspace/dexterity/criterion_bounds.h"
+#include "pkm_workspace/dexterity/machine_model.h"
+#include "pkm_workspace/interval/decimal.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+const CriterionBound& boundOf(const JointDatum& datum)
+{
+  return *std::find_if(CRITERION_BOUNDS.begin(), CRITERION_BOUNDS.end(),
+                       [&datum](const CriterionBound& bound) { return bound.value == datum.bound; });
+}
+}  // namespace
+
+std::string exact(const JointValues& values)
+{
+  if (values[0] == values[1] && values[1] == values[2])
+    return exact(values[0]);
+  return "(" + exact(values[0]) + ", " + exact(values[1]) + ", " + exact(values[2]) + ")";
+}
+
+std::string jointDataInWords(const Criterion& criterion, double Criterion::*bound)
+{
+  std::string text;
+  for (const JointDatum& datum : JOINT_DATA)
+    if (datum.bound == bound && datum.isAskedBy(criterion))
+    {
+      const std::string words = datum.brief;
+      const std::size_t place = words.find("{}");
+      text += words.substr(0, place) + exact(criterion.*datum.values) + words.substr(place + 2);
+    }
+  return text;
+}
+
+Criterion withJointData(const Machine& machine, Criterion criterion)
+{
+  for (const JointDatum& datum : JOINT_DATA)
+    for (int leg = 0; datum.own != nullptr && criterion.*datum.bound > 0.0 && leg < 3; ++leg)
+    {
+      double& value = (criterion.*datum.values)[static_cast<std::size_t>(leg)];
+      const double own = machine.leg(leg).*datum.own;
+      if (value == 0.0 && std::isfinite(own))
+        value = own;
+    }
+  return criterion;
+}
+
+void validateJointData(const Criterion& criterion, Problems& problems)
+{
+  for (const JointDatum& datum : JOINT_DATA)
+    for (const double value : criterion.*datum.values)
+      if (!(value >= LEAST_POSITIVE && value <= LARGEST_BOUND) && value != 0.0)
+      {
+        complain(problems, datum.name, " = ", exact(criterion.*datum.values), " (", datum.subject, " [", datum.unit,
+                 "]) must be positive and finite (1e-100 to 1e100), one number or one for each joint");
+        break;
+      }
+}
+
+void requireProvable(const Machine& machine, const Criterion& criterion, Problems& problems)
+{
+  for (int leg = 0; criterion.hinge_limits && leg < 3; ++leg)
+    for (const std::string& reason : slidingStrut(machine.leg(leg)).open_hinges)
+      complain(problems, "hinge_limits cannot be proved: ", reason);
+  for (const JointDatum& datum : JOINT_DATA)
+    for (std::size_t leg = 0; datum.is_needed && criterion.*datum.bound > 0.0 && leg < 3; ++leg)
+      if ((criterion.*datum.values)[leg] == 0.0)
+      {
+        const std::string joint = "'" + machine.leg(static_cast<int>(leg)).joint + "'";
+        const std::string source = datum.own == nullptr ? "" : ", which its URDF does not tell";
+        complain(problems, boundOf(datum).name, " needs ", datum.subject, " [", datum.unit, "] of joint ", joint,
+                 source, ": give ", datum.name, ", one number or one for each joint");
+      }
+}
+
+const Criterion& validated(const Machine& machine, const Criterion& criterion)
+{
+  Problems problems;
+  criterion.validate(problems);
+  requireProvable(machine, criterion, problems);
+  throwProblems(problems);
+  return criterion;
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Speeds, forces, stiffness, errors, angles, hinges and balls, asked of every command that has a criterion."""
+
+import math
+import re
+import unittest
+from xml.etree import ElementTree
+
+from pkm import ORTHOGLIDE, URANESX, CommandTest, run
+
+REACHABLE = ("--set", "reachable")
+EACH = {
+    "tool_speed_min": ("--tool-speed-min", 0.85),
+    "tool_force_min": ("--tool-force-min", 600),
+    "stiffness_min": ("--stiffness-min", 3e5, "--joint-stiffness", 1e6, "--strut-stiffness", 1e7),
+    "position_error_max": ("--position-error-max", 3e-5, "--joint-error-max", 1e-5),
+    "strut_angle_max": ("--strut-angle-max", 0.6),
+    "ball_tilt_max": ("--ball-tilt-max", 0.5),
+}
+EDGES = {  # of the largest cube, where the struts may be off their rails by an angle: sqrt(2) times its sine [m]
+    "tool_speed_min": math.sqrt(2 - 2 * 0.85**2),
+    "strut_angle_max": math.sqrt(2) * math.sin(0.6),
+    "ball_tilt_max": math.sqrt(2) * math.sin(0.5),
+}
+
+
+class Conditions(CommandTest):
+    def hinged(self, joint, lower, upper):
+        """The Orthoglide with limits of a passive joint."""
+        tree = ElementTree.parse(ORTHOGLIDE)
+        element = tree.getroot().find(f"joint[@name='{joint}']")
+        element.set("type", "revolute")
+        ElementTree.SubElement(element, "limit", lower=str(lower), upper=str(upper), effort="1", velocity="1")
+        return self.file("hinged.urdf", ElementTree.tostring(tree.getroot(), encoding="unicode"))
+
+    def test_largest_cubes_where_they_are_known(self):
+        for name, edge in EDGES.items():
+            answer = self.answer("largest", "--urdf", ORTHOGLIDE, *REACHABLE, *EACH[name], "--accuracy", 1e-5)
+            self.assertBrackets(answer["size"], edge, answer["size_upper_bound"], 1e-12)
+            self.assertLess(answer["size_upper_bound"] - answer["size"], 1.1e-5)
+
+    def test_every_command_takes_each_and_all(self):
+        everything = [word for words in EACH.values() for word in words]
+        for words in [*EACH.values(), everything]:
+            context = ("--urdf", ORTHOGLIDE, *REACHABLE, *words)
+            checked = self.answer("check", *context, "--center", 0.05, 0.05, 0.05, "--sides", 0.2, 0.2, 0.2)
+            self.assertEqual(checked["verdict"], "inside", words)
+            checked = self.answer("check", *context, "--center", 0.05, 0.05, 0.05, "--sides", 1, 1, 1)
+            self.assertEqual(checked["verdict"], "outside", words)
+            path = self.answer("path", *context, "--segment", "start 0 0 0", "--segment", "line 0.1 0.1 0")
+            self.assertEqual(path["verdict"], "inside", words)
+            there = self.answer("evaluate", *context, "--point", 0.7, 0.6, -0.4)
+            self.assertRegex(there["message"], "^Proved: the point is not ", words)
+            paved = self.answer("pave", *context, "--resolution", 0.2)
+            self.assertGreater(paved["volume_lower"], 0.01, words)
+            compared = self.answer("compare", "--urdf", URANESX, "--shape", "square", *REACHABLE, "--force-max", 4,
+                                   *words, "--accuracy", 0.05)
+            self.assertEqual(len(compared["machines"]), 1, words)
+
+    def test_answers_tell_what_counted(self):
+        answer = self.answer("largest", "--urdf", ORTHOGLIDE, "--tool-speed-min", 0.5, "--joint-speed-max", 1, 2, 3)
+        self.assertEqual(answer["tool_speed_min"], 0.5)
+        self.assertEqual(answer["joint_speed_max"], [1, 2, 3])
+        answer = self.answer("largest", "--urdf", ORTHOGLIDE, *EACH["tool_force_min"])
+        self.assertEqual(answer["joint_effort_max"], [1000, 1000, 1000], "of the URDF")
+        self.assertNotIn("joint_stiffness", answer)
+        text = self.text("largest", "--urdf", ORTHOGLIDE, *EACH["stiffness_min"])
+        self.assertIn("with a stiffness of at least 300000 N/m in every direction by drives of 1000000 N/m and struts "
+                      "of 10000000 N/m", re.sub(r"\s+", " ", text))
+
+    def test_points_tell_the_leg_that_binds(self):
+        text = self.text("evaluate", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", 0.8, "--point", 0, 0, 0.7)
+        self.assertRegex(re.sub(r"\s+", " ", text), r"the speed of the tool in every direction, as 'rail_[xy]' has it, "
+                         r"is 0\.71414\d m/s, below 0\.8 m/s")
+
+    def test_hinges_hold_where_asked_for(self):
+        urdf = self.hinged("revolute_1", -0.4, 0.5)
+        words = ("--urdf", urdf, *REACHABLE, "--center", 0, 0, 0, "--sides", 0.2, 0.2, 0.9)
+        self.assertEqual(self.answer("check", *words)["verdict"], "inside")
+        answer = self.answer("check", *words, "--hinge-limits", "on")
+        self.assertEqual(answer["verdict"], "outside")
+        self.assertRegex(answer["message"], r"passive joint 'revolute_1' would be beyond its (lower|upper) limit")
+        self.assertTrue(answer["hinge_limits"])
+
+    def test_what_cannot_be_proved_is_refused_by_name(self):
+        for words, message in (
+            (("--stiffness-min", 1e5), r"stiffness_min needs the stiffness of its drive \[N/m\] of joint "
+                                       r"'rail_x': give joint_stiffness"),
+            (("--position-error-max", 1e-4), "needs the largest error .m. of joint 'rail_x'"),
+            (("--tool-speed-min", -1), "--tool-speed-min"),
+            (("--joint-speed-max", 1, 2), "--joint-speed-max"),
+            (("--strut-angle-max", 2), "--strut-angle-max"),
+            (("--strut-angle-min", 0.7, "--strut-angle-max", 0.5), "strut_angle_max = 0.5 .*must be at least "
+                                                                     "strut_angle_min = 0.7"),
+            (("--tool-force-min", "nan"), "--tool-force-min"),
+            (("--ball-axes", 0, 0, 0), "ball_axes: .*no direction"),
+        ):
+            process = run("largest", "--urdf", ORTHOGLIDE, *words)
+            self.assertEqual(process.returncode, 2, words)
+            self.assertRegex(process.stderr, message)
+        process = run("largest", "--urdf", self.hinged("revolute_1", -2, 0.5), "--hinge-limits", "on")
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, r"hinge_limits cannot be proved: joint 'revolute_1', lower limit -2 rad: ")
+
+    def test_a_urdf_without_speeds_needs_them(self):
+        tree = ElementTree.parse(ORTHOGLIDE)
+        for limit in tree.getroot().iter("limit"):
+            limit.set("velocity", "0")
+        urdf = self.file("slow.urdf", ElementTree.tostring(tree.getroot(), encoding="unicode"))
+        process = run("largest", "--urdf", urdf, "--tool-speed-min", 0.5)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("of joint 'rail_z', which its URDF does not tell: give joint_speed_max", process.stderr)
+        self.answer("largest", "--urdf", urdf, "--tool-speed-min", 0.5, "--joint-speed-max", 1)
+
+    def test_ball_axes_turn_the_cones(self):
+        straight = self.answer("largest", "--urdf", ORTHOGLIDE, *REACHABLE, *EACH["ball_tilt_max"])
+        axes = (1, 0, 0, 0, 1, 0, 0, 0, 1)  # the same as at joint values 0
+        same = self.answer("largest", "--urdf", ORTHOGLIDE, *REACHABLE, *EACH["ball_tilt_max"], "--ball-axes", *axes)
+        self.assertAlmostEqual(same["size"], straight["size"], delta=2e-3)
+        self.assertNotEqual(same["geometry_hash"], straight["geometry_hash"])
+        leaning = self.answer("largest", "--urdf", ORTHOGLIDE, *REACHABLE, *EACH["ball_tilt_max"],
+                              "--ball-axes", 1, 0.3, 0, 0, 1, 0, 0, 0, 1)
+        self.assertLess(leaning["size_upper_bound"], straight["size"])
+
+
+if __name__ == "__main__":
+    unittest.main()

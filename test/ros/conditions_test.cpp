@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conditions of machines with motors and tolerances, in requests.
+#include <cmath>
+#include <functional>
+#include <regex>
+
+#include "node_client.h"
+
+namespace pkm_workspace
+{
+namespace test
+{
+namespace
+{
+void expectProven(const ComputeLargestRegion::Response& response)
+{
+  ASSERT_EQ(ErrorCode::SUCCESS, response.error_code) << response.message;
+  EXPECT_EQ(Region::PROVEN, response.region.status) << response.message;
+}
+
+void expectRefusal(const ComputeLargestRegion::Response& response, const std::string& message)
+{
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, response.error_code);
+  EXPECT_TRUE(std::regex_search(response.message, std::regex(message))) << response.message;
+}
+
+Hypotheses hypothesesOf(const std::function<void(CriterionRequest&)>& ask)
+{
+  RegionRequest query;
+  ask(query.criterion);
+  const auto response = compute(query);
+  expectProven(response);
+  EXPECT_LT(response.region.size_upper_bound, 0.6439) << "it had no effect: " << response.message;
+  return response.region.hypotheses;
+}
+}  // namespace
+
+TEST(Conditions, countWithWhatTheMotorsCanDo)
+{
+  constexpr double SPEED = 0.85;
+  RegionRequest query;
+  query.criterion.set = CriterionRequest::REACHABLE;
+  query.criterion.tool_speed_min = SPEED;
+  const auto own = compute(query);
+  expectProven(own);
+  const double edge = std::sqrt(2.0 * (1.0 - SPEED * SPEED));  // struts off their rails by acos(0.85)
+  EXPECT_LE(own.region.size, edge + 1e-12);
+  EXPECT_GE(own.region.size_upper_bound, edge - 1e-12);
+  EXPECT_EQ(SPEED, own.region.hypotheses.tool_speed_min);
+  for (std::size_t leg = 0; leg < 3; ++leg)
+    EXPECT_EQ(1.0, own.region.hypotheses.joint_speed_max[leg]) << "the URDF's velocity";
+  query.criterion.joint_speed_max = { 2.0 };
+  EXPECT_GT(compute(query).region.size, own.region.size_upper_bound);
+  query.criterion.joint_speed_max = { 2.0, 1.0 };
+  expectRefusal(compute(query), "joint_speed_max has 2 numbers, it must have one for all legs, or three");
+  query.criterion.joint_speed_max = { 2.0, -1.0, 1.0 };
+  expectRefusal(compute(query), "joint_speed_max = \\(2, -1, 1\\) .*must be positive");
+}
+
+TEST(Conditions, eachMakesTheRegionSmaller)
+{
+  EXPECT_EQ(700.0, hypothesesOf([](CriterionRequest& asked) { asked.tool_force_min = 700.0; }).tool_force_min);
+  EXPECT_EQ(0.4, hypothesesOf([](CriterionRequest& asked) { asked.strut_angle_max = 0.4; }).strut_angle_max);
+  EXPECT_EQ(0.4, hypothesesOf([](CriterionRequest& asked) { asked.ball_tilt_max = 0.4; }).ball_tilt_max);
+  const Hypotheses stiff = hypothesesOf([](CriterionRequest& asked) {
+    asked.stiffness_min = 4e5;
+    asked.joint_stiffness = { 1e6 };
+    asked.strut_stiffness = { 1e7, 2e7, 3e7 };
+  });
+  EXPECT_EQ(2e7, stiff.strut_stiffness[1]);
+  EXPECT_EQ(1e6, stiff.joint_stiffness[2]);
+  const Hypotheses exact = hypothesesOf([](CriterionRequest& asked) {
+    asked.position_error_max = 2.5e-5;
+    asked.joint_error_max = { 1e-5 };
+  });
+  EXPECT_EQ(1e-5, exact.joint_error_max[2]);
+}
+
+TEST(Conditions, areRefusedWhereSomethingIsMissing)
+{
+  RegionRequest query;
+  query.criterion.stiffness_min = 1e5;
+  expectRefusal(compute(query), "stiffness_min needs the stiffness of its drive .* of joint 'rail_x'");
+  query.criterion = CriterionRequest();
+  query.criterion.hinge_limits = 7;
+  expectRefusal(compute(query), "hinge_limits = 7 must be DEFAULT = 0, ON = 1 or OFF = 2");
+  query.criterion.hinge_limits = CriterionRequest::ON;  // none has a limit
+  const auto response = compute(query);
+  expectProven(response);
+  EXPECT_FALSE(response.region.hypotheses.hinge_limits);
+}
+}  // namespace test
+}  // namespace pkm_workspace
