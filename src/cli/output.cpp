@@ -185,6 +185,20 @@ std::string name(Containment verdict)
   return verdict == Containment::INSIDE ? "inside" : verdict == Containment::OUTSIDE ? "outside" : "undecided";
 }
 
+namespace
+{
+/// Where the tilt of ball joints is counted from.
+std::string ballAxesInWords(const Machine& machine)
+{
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    for (const IntervalVector& axis : slidingStrut(machine.leg(i)).ball_axes)
+      text += (text.empty() ? " from the axes (" : ", (") + exact(axis[0].mid()) + ", " + exact(axis[1].mid()) + ", " +
+              exact(axis[2].mid()) + ")";
+  return text.empty() ? " from how the struts stand at joint values 0" : text;
+}
+}  // namespace
+
 std::string definition(const Machine& machine, const Criterion& criterion)
 {
   using Aspect = Criterion::Aspect;
@@ -196,6 +210,10 @@ std::string definition(const Machine& machine, const Criterion& criterion)
               : "in its " + name(criterion.aspect) + " aspect (the sign of det A " +
                     (criterion.aspect == Aspect::OWN ? "" : "opposite to that ") + "at the zero configuration)";
   text += boundsInWords(criterion, &CriterionBound::full);
+  if (criterion.ball_tilt_max > 0.0)
+    text += ballAxesInWords(machine);
+  if (criterion.hinge_limits)
+    text += ", with all passive joints within their limits";
   if (!machine.hasJointLimits())
     return text + "; the machine has no joint limits.";
   return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");

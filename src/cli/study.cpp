@@ -4,6 +4,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "comparison.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/study/best_parameter.h"
@@ -134,7 +135,12 @@ private:
       query_.family = parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda();
     else
       return;
-    query_.region.accuracy = accuracy_.valueFor(query_.family.at(Interval(range_->lower)), *query_.region.shape);
+    const Machine first = query_.family.at(Interval(range_->lower));
+    query_.region.criterion = withJointData(first, query_.region.criterion);
+    Problems missing;
+    requireProvable(first, query_.region.criterion, missing);
+    throwProblems(missing);
+    query_.region.accuracy = accuracy_.valueFor(first, *query_.region.shape);
     query_.family.at(Interval(range_->upper));
   }
 

@@ -209,10 +209,11 @@ const Criterion& accepted(const Criterion& criterion)
 {
   Problems problems;
   criterion.validate(problems);
-  if (!criterion.boundsBelow() || !criterion.boundsAbove() || criterion.boundsCondition() || criterion.joint_limits)
+  if (!criterion.boundsBelow() || !criterion.boundsAbove() || criterion.boundsCondition() || criterion.joint_limits ||
+      criterion.boundsMore())
     problems.push_back(
         "the characteristic polynomial needs factors that are bounded from both sides, and knows neither "
-        "joint limits nor condition numbers");
+        "joint limits nor condition numbers, nor conditions of motors, tolerances and angles");
   throwProblems(problems);
   return criterion;
 }

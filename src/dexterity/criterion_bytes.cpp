@@ -64,6 +64,8 @@ Criterion takeCriterion(ByteReader& reader)
   const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES) + 1, reader);
   criterion.joint_limits = (flags & LIMITS) != 0;
   criterion.hinge_limits = (flags & HINGES) != 0;
+  if (criterion.hinge_limits && (flags & MORE) == 0)
+    throw std::runtime_error("a choice has the number " + std::to_string(flags));
   const bool has_more = (flags & MORE) != 0;
   for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
     criterion.*CRITERION_BOUNDS[k].value = reader.real();

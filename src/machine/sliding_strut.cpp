@@ -83,8 +83,6 @@ std::string textOfPassive(const SlidingStrut& strut)
   std::string text;
   for (const StrutStop& stop : strut.stops)
     text += (stop.is_upper ? " upper stop" : " lower stop") + exactText(stop.direction) + exactText(stop.least);
-  for (const std::string& open : strut.open_hinges)
-    text += " open hinge " + open;
   for (const IntervalVector& axis : strut.ball_axes)
     text += " ball axis" + exactText(axis);
   return text;

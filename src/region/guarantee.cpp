@@ -74,7 +74,7 @@ public:
       narrow();
     result_.value =
         bound_.is_lower ? Interval(proved_, std::max(proved_, seen_)) : Interval(std::min(seen_, proved_), proved_);
-    result_.complete = isMet();
+    result_.complete = isMet() || reach.verdict == Containment::OUTSIDE;
     result_.seconds = budget_.seconds();
     return result_;
   }
@@ -98,9 +98,11 @@ private:
     double step = 0.5 * query_.accuracy;
     for (int trial = 0; trial < MOST_TRIALS && !isMet() && !budget_.isOver(result_.boxes); ++trial)
     {
-      const double value = candidate(trial, step);
-      if (!(value >= bound_.least && value <= bound_.most))
+      const double wanted = candidate(trial, step);
+      const double value = std::clamp(wanted, bound_.least, bound_.most);
+      if (!std::isfinite(wanted) || (value != wanted && value == last_end_))
         return;
+      last_end_ = value != wanted ? value : last_end_;
       const ContainmentResult found = check(asking(machine_, reached_, bound_, value));
       if (found.verdict == Containment::INSIDE)
         proved_ = value;
@@ -122,9 +124,15 @@ private:
   /// The value is not kept: nor is a better one than that of the bad point.
   void refute(double value, const ContainmentResult& found)
   {
-    lower(value);
-    if (found.bad_point)
-      see(*found.bad_point);
+    if (!found.bad_point || found.bad_within > 0.0)
+      return;
+    const PointEvaluation there = evaluatePoint(machine_, asking(machine_, reached_, bound_, value), *found.bad_point);
+    if (lower(value))
+    {
+      result_.place = *found.bad_point;
+      result_.limit = there.binding();
+    }
+    see(*found.bad_point);
   }
 
   void see(const Eigen::Vector3d& point)
@@ -163,8 +171,9 @@ private:
   Criterion reached_;
   PointEvaluator values_;
   RunningBudget budget_;
-  double proved_;  ///< for every point
-  double seen_;    ///< at the worst point
+  double proved_;          ///< for every point
+  double seen_;            ///< at the worst point
+  double last_end_ = 0.0;  ///< of the values that may be asked for, the one that was tried
   Guarantee result_;
 };
 }  // namespace

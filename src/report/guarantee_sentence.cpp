@@ -38,10 +38,10 @@ std::string describe(const Guarantee& guarantee, const Machine& machine, const B
   const double proved = guarantee.proved();
   if (!(proved > 0.0 && std::isfinite(proved)))
     return "Nothing is proved of " + subject + ": " +
-           (guarantee.is_reached
-                ? (ended_by.empty() ? "no value is kept by every point" : ended_by + " ended the proof")
-            : guarantee.limit ? "at " + placeOf(guarantee) + " " + describe(*guarantee.limit, machine)
-                              : "it is undecided whether the region is reached") +
+           (guarantee.is_reached ? (ended_by.empty() ? "it was shown for none of the values that may be asked for"
+                                                     : ended_by + " ended the proof")
+            : guarantee.limit    ? "at " + placeOf(guarantee) + " " + describe(*guarantee.limit, machine)
+                                 : "it is undecided whether the region is reached") +
            ".";
   const double at_place = bound.is_lower ? guarantee.value.upper() : guarantee.value.lower();
   const std::string leg =

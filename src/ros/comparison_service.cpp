@@ -4,6 +4,7 @@
 #include <ros/console.h>
 
 #include "pkm_workspace/ros/conversions.h"
+#include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/study/comparison.h"
@@ -75,6 +76,7 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
                                 "' must be empty: each machine is looked at in the frame of its own root link");
   RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters,
                                   context_.parameters.query.budget.time_limit);
+  leaveJointsToEach(request.query.criterion, context_.machine(), context_.parameters.query.criterion, query.criterion);
   std::vector<FramedMachine> machines = readMachines(request.urdfs);
   machines.insert(machines.begin(), context_.frames.root());
   const StopFlag stop = context_.worker.makeStopFlag();

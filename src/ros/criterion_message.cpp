@@ -192,6 +192,20 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   return valid;
 }
 
+void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, const Criterion& given,
+                       Criterion& criterion)
+{
+  for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
+    for (std::size_t leg = 0; JOINT_DATA[k].own != nullptr && (request.*JOINT_FIELDS[k].request).empty() && leg < 3;
+         ++leg)
+    {
+      double& value = (criterion.*JOINT_DATA[k].values)[leg];
+      const bool is_given = (given.*JOINT_DATA[k].values)[leg] != 0.0;
+      if (!is_given && value == machine.leg(static_cast<int>(leg)).*JOINT_DATA[k].own)
+        value = 0.0;
+    }
+}
+
 std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
                                const geometry_msgs::Point& max_corner, const std::string& flag, Problems& problems)
 {

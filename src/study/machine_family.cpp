@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/study/machine_family.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -73,7 +74,8 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
               const Leg& leg = first.legs()[i];
               const bool has_limits = leg.limits == last.legs()[i].limits;
               legs[i] = { leg.joint, has_limits ? leg.limits : Interval::entire(),
-                          between(leg.kind, last.legs()[i].kind, t) };
+                          between(leg.kind, last.legs()[i].kind, t), std::min(leg.speed, last.legs()[i].speed),
+                          std::min(leg.effort, last.legs()[i].effort) };
             }
             setDirections(legs, directions);
             const Eigen::Vector3d zero = first.zero() + t.mid() * (last.zero() - first.zero());

@@ -16,6 +16,9 @@ namespace
 /// Cosine of the angle between axes, and between an axis and the strut, that count as perpendicular; the stops hold for
 /// what they are.
 constexpr double SQUARE = 1e-9;
+/// Cosine of the angle between the first axis and the rail. As far from a serial singularity as this, |b| / L, the
+/// strut does not pass that axis.
+constexpr double ACROSS = 1e-12;
 
 Interval toInterval(const Enclosed<double>& number)
 {
@@ -62,7 +65,7 @@ std::vector<HingeLimit> limitsOn(const Hinge& hinge, const Model& model)
 class Stops
 {
 public:
-  Stops(const Hinge& first, const Hinge& second, const LegGeometry& leg)
+  Stops(const Hinge& first, const Hinge& second, const LegGeometry& leg, const IntervalVector& rail)
     : h1_(first.axis.enclosure), h2_(second.axis.enclosure), strut_(leg.strut), misfit_(around(8.0 * leg.misfit))
   {
     const Interval length = norm(strut_);
@@ -72,6 +75,8 @@ public:
       problem_ = "the axes of '" + first.joint + "' and '" + second.joint + "' are not perpendicular";
     else if (!(along_.magnitude() <= SQUARE * length.lower()))
       problem_ = "the axis of '" + second.joint + "' is not across the strut";
+    else if (!(dot(h1_, rail).magnitude() <= ACROSS))
+      problem_ = "the axis of '" + first.joint + "' is not across the rail, so that the strut may turn through it";
     if (!problem_.empty())
       return;
     const IntervalVector across = h2_ - cosine_ * h1_;
@@ -128,6 +133,27 @@ private:
   std::string problem_;
 };
 
+/// Joints with limits between the slider and the tcp link, or beside that way, which no hinge leads.
+std::vector<std::string> ledByNone(const Station& station, const std::string& slider, const Model& model)
+{
+  std::vector<std::string> found;
+  for (const std::string& name : model.document.joints)
+  {
+    const urdf::Joint& joint = model.joint(name);
+    const std::string& source = model.masters.at(name).source;
+    const bool is_led = std::any_of(station.at_slider.begin(), station.at_slider.end(),
+                                    [&source](const Hinge& hinge) { return hinge.master == source; });
+    if (joint.type != urdf::Joint::REVOLUTE || is_led)
+      continue;
+    const urdf::Link* link = &model.link(joint.parent_link_name);
+    while (link != nullptr && link->name != slider && link->name != station.link)
+      link = link->getParent().get();
+    if (link != nullptr && link->name == slider)
+      found.push_back(name);
+  }
+  return found;
+}
+
 bool includesZero(const HingeLimit& limit)
 {
   return limit.is_most ? limit.angle.lower() >= 0.0 : limit.angle.upper() <= 0.0;
@@ -140,12 +166,12 @@ std::string sentence(const HingeLimit& limit, const std::string& reason)
 }
 }  // namespace
 
-HingeStops hingeStops(const Station& station, const LegGeometry& leg, const Model& model)
+HingeStops hingeStops(const Station& station, const LegGeometry& leg, const RailOfHinges& rail, const Model& model)
 {
   HingeStops result;
   const std::vector<Hinge>& hinges = station.at_slider;
   const std::optional<Stops> stops =
-      hinges.size() == 2 ? std::make_optional<Stops>(hinges[0], hinges[1], leg) : std::nullopt;
+      hinges.size() == 2 ? std::make_optional<Stops>(hinges[0], hinges[1], leg, rail.axis) : std::nullopt;
   for (std::size_t k = 0; k < hinges.size(); ++k)
     for (const HingeLimit& limit : limitsOn(hinges[k], model))
     {
@@ -166,6 +192,8 @@ HingeStops hingeStops(const Station& station, const LegGeometry& leg, const Mode
       if (!problem.empty())
         result.open.push_back(sentence(limit, problem));
     }
+  for (const std::string& joint : ledByNone(station, rail.slider, model))
+    result.open.push_back("joint '" + joint + "': it follows no hinge of the strut by <mimic>");
   return result;
 }
 }  // namespace urdf_io

@@ -40,7 +40,12 @@ std::string strutLink(const ClosedLeg& leg)
 /// What the limits of its passive joints mean for the strut, in the root frame.
 void addStops(const Model& model, const Rail& rail, const ClosedLeg& closed, SlidingStrut& strut)
 {
-  HingeStops hinges = hingeStops(closed.tcp, closed.geometry, model);
+  IntervalMatrix to_slider = rail.slider.rotation;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      to_slider[row][column] = rail.slider.rotation[column][row];
+  const RailOfHinges along{ rail.joint->child_link_name, to_slider * rail.axis };
+  HingeStops hinges = hingeStops(closed.tcp, closed.geometry, along, model);
   for (StrutStop& stop : hinges.stops)
     stop.direction = rail.slider.rotation * stop.direction;
   strut.stops = hinges.stops;

@@ -103,6 +103,24 @@ class Conditions(CommandTest):
         self.assertEqual(process.returncode, 2)
         self.assertRegex(process.stderr, r"hinge_limits cannot be proved: joint 'revolute_1', lower limit -2 rad: ")
 
+    def test_what_counts_is_said_in_words(self):
+        words = re.sub(r"\s+", " ", self.text("check", "--urdf", self.hinged("revolute_1", -0.4, 0.5), *REACHABLE,
+                                             "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1, "--hinge-limits", "on",
+                                             "--ball-tilt-max", 0.5, "--ball-axes", 1, 0, 0, 0, 1, 0, 0, 0, 1))
+        self.assertIn("with ball joints tilted by at most 0.5 rad from the axes (1, 0, 0), (0, 1, 0), (0, 0, 1), with all "
+                      "passive joints within their limits", words)
+
+    def test_numbers_of_any_size(self):
+        for speed, most in ((1e100, 1e-100), (1e-100, 1e100)):
+            answer = self.answer("check", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", speed, "--joint-speed-max",
+                                 most, "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1)
+            self.assertEqual(answer["verdict"], "outside" if speed > most else "inside")
+
+    def test_families_take_the_lesser_motors(self):
+        answer = self.answer("study", "--urdf", ORTHOGLIDE, "--urdf", ORTHOGLIDE, "--range", 0, 1, *REACHABLE,
+                             "--tool-speed-min", 0.85, "--accuracy", 0.05)
+        self.assertEqual(answer["joint_speed_max"], [1, 1, 1])
+
     def test_a_urdf_without_speeds_needs_them(self):
         tree = ElementTree.parse(ORTHOGLIDE)
         for limit in tree.getroot().iter("limit"):

@@ -72,7 +72,7 @@ def guarantee(case, match):
 def nothing(case, match):
     """Some point of the region is not reached, or has next to nothing of it."""
     zero = [leg.zero for leg in case.machine.legs[float]]
-    if "no value is kept" in match["why"]:
+    if "for none of the values" in match["why"]:
         least = min(VALUES[match["subject"] + " least"](case.machine.state(case.region.point(
             [case.rng.random() for _ in range(3)])), zero) for _ in range(2000))
         return hold(least < 0.1, match[0], "but", least)

@@ -106,6 +106,16 @@ TEST(Guarantee, isNothingWhereARegionIsNotReached)
   EXPECT_EQ(error.proved(), INF);
 }
 
+// A tilt of 0.9 pi / 2 is reached nearly: what may be asked for ends at a quarter of a turn.
+TEST(Guarantee, endsWhereWhatMayBeAskedForDoes)
+{
+  const Guarantee found =
+      ofCube(orthoglide(), queryFor(orthoglide(), 0.5), "strut_angle_max", { 0.55, 0.55, 0.0 }, 0.2);
+  EXPECT_TRUE(found.is_reached);
+  EXPECT_LE(found.proved(), QUARTER_TURN);
+  EXPECT_GT(found.value.lower(), 1.0);
+}
+
 TEST(Guarantee, endsWithWhatIsProved)
 {
   GuaranteeQuery query = queryFor(crooked(1), 1e-9);

@@ -169,6 +169,21 @@ TEST(HingeStops, areRefusedByNameWhereTheyAreNone)
     without.hinge_limits = false;
     EXPECT_NO_THROW(BoxTest(machine, without));
   };
+  // a strut may turn through an axis that is not across its rail: to where both limits of that axis would be passed
+  std::string tilted = shipped("orthoglide");
+  for (const char* const joint : { "revolute_1", "revolute_back_1" })
+    tilted = withJoint(tilted, joint, "axis xyz=\"0 1 0\"", "axis xyz=\"0.8 0.6 0\"");
+  const Machine leaning = readUrdf(withLimits(tilted, { { "revolute_1", -0.2, 0.2 } })).machine;
+  EXPECT_TRUE(slidingStrut(leaning.leg(0)).stops.empty());
+  ASSERT_FALSE(slidingStrut(leaning.leg(0)).open_hinges.empty());
+  EXPECT_NE(slidingStrut(leaning.leg(0)).open_hinges[0].find("'revolute_1' is not across the rail"), std::string::npos)
+      << slidingStrut(leaning.leg(0)).open_hinges[0];
+  const std::string bar =
+      withJoint(shipped("orthoglide"), "bar_joint_a_1", "<mimic joint=\"parallelogram_1\" multiplier=\"1\"/>", "");
+  const Machine loose = readUrdf(withLimits(bar, { { "bar_joint_a_1", -0.1, 0.1 } })).machine;
+  ASSERT_EQ(slidingStrut(loose.leg(0)).open_hinges.size(), 1U);
+  EXPECT_EQ(slidingStrut(loose.leg(0)).open_hinges[0],
+            "joint 'bar_joint_a_1': it follows no hinge of the strut by <mimic>");
   expectOpen({ "revolute_1", 0.1, 0.5 }, "zero configuration is beyond it");
   expectOpen({ "revolute_1", -2.0, 0.5 }, "quarter of a turn");
   expectOpen({ "parallelogram_1", -0.5, -0.1 }, "zero configuration is beyond it");

@@ -35,8 +35,9 @@ struct NecessaryForms
   /// One for each side on which the factors are bounded, 3 for forces, 1 for the stiffness, 4 for errors of position.
   static constexpr std::size_t MOST_MATRICES = 10;
   /// One for each matrix (four from multi-precision, where the last ones may be left out), 3 each for the reach, the
-  /// condition number and the tool's speed, 1 for the aspect, 6 each for the joint limits and the struts' angles.
-  static constexpr std::size_t MOST = 40;
+  /// condition number and the tool's speed, 1 for the aspect, 6 each for the joint limits and the struts' angles, 3 or
+  /// 6 for ball joints, and the rest for hinges.
+  static constexpr std::size_t MOST = 64;
 
   bool violated = false;     ///< no point of the box can satisfy the criterion, proved
   std::size_t matrices = 0;  ///< how many of the matrices are in use

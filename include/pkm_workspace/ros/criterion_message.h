@@ -26,6 +26,11 @@ inline double valueOr(double value, double fallback)
 Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
                       Problems& problems);
 
+/// Takes what a criterion has from the URDF of one machine's joints out again, so that each of several machines counts
+/// with its own. @param given by the node's parameters; what they or the request give stays
+void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, const Criterion& given,
+                       Criterion& criterion);
+
 /// The box between two corners, or none. @param flag name of the field that @p given comes from
 /// @param problems gets one sentence for each corner that is out of range or without effect
 std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,

@@ -21,7 +21,11 @@ public:
     if (!(criterion.tool_speed_min > 0.0))
       return std::nullopt;
     const JointValues& fastest = criterion.joint_speed_max;
-    return Interval(*std::max_element(fastest.begin(), fastest.end())) / Interval(criterion.tool_speed_min);
+    // no |n| is below |b|: of less than 1 the set is empty, and more says nothing wrong
+    const Interval ratio(*std::max_element(fastest.begin(), fastest.end()) / criterion.tool_speed_min);
+    return std::max(ratio.upper(), 1e-3) > 1e-3
+               ? Interval(*std::max_element(fastest.begin(), fastest.end())) / Interval(criterion.tool_speed_min)
+               : Interval(1e-3);
   }
   /// V_i |b_i| / |n_i| for each leg.
   template <class At>
