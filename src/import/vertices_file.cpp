@@ -78,12 +78,116 @@ Vector3d pointOf(const std::vector<std::string>& words, std::size_t first, std::
   return point;
 }
 
-/// Lines of points, or those of an STL that begin with "vertex".
+/// The corners of an STL's text, word by word, as any white space parts them: nothing is passed over.
+class StlText
+{
+public:
+  explicit StlText(const std::string& content)
+  {
+    std::istringstream lines(content);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+      std::istringstream stream(line);
+      ++number;
+      bool is_name = false;  // what follows solid and endsolid on their lines
+      for (std::string word; !is_name && stream >> word;)
+      {
+        words_.push_back({ word, number });
+        is_name = lowered(word) == "solid" || lowered(word) == "endsolid";
+      }
+    }
+  }
+
+  Points points()
+  {
+    Points points;
+    while (at_ < words_.size())
+    {
+      expect("solid");
+      while (!isNext("endsolid"))
+        readFacet(points);
+      expect("endsolid");
+    }
+    return points;
+  }
+
+private:
+  struct Word
+  {
+    std::string text;
+    std::size_t line;
+  };
+
+  static std::string lowered(std::string word)
+  {
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    return word;
+  }
+
+  bool isNext(const std::string& word) const { return at_ < words_.size() && lowered(words_[at_].text) == word; }
+
+  const Word& next(const std::string& expected)
+  {
+    if (at_ == words_.size())
+      throw std::invalid_argument("ends early: expected '" + expected + "', as an STL has it");
+    return words_[at_++];
+  }
+
+  void expect(const std::string& word)
+  {
+    const Word& found = next(word);
+    if (lowered(found.text) != word)
+      refuseLine(found.line, "'" + found.text.substr(0, 40) + "' stands where an STL has '" + word + "'");
+  }
+
+  double number()
+  {
+    const Word& found = next("a number");
+    const auto value = parseNumber(found.text);
+    if (!value || !std::isfinite(*value))
+      refuseLine(found.line, "'" + found.text.substr(0, 40) + "' is not a finite number");
+    return *value;
+  }
+
+  void readFacet(Points& points)
+  {
+    for (const char* const word : { "facet", "normal" })
+      expect(word);
+    for (int k = 0; k < 3; ++k)
+      next("a number");  // normals are not used, and often not even numbers
+    for (const char* const word : { "outer", "loop" })
+      expect(word);
+    for (int k = 0; k < 3; ++k)
+    {
+      expect("vertex");
+      const double x = number(), y = number(), z = number();
+      points.emplace_back(x, y, z);
+    }
+    for (const char* const word : { "endloop", "endfacet" })
+      expect(word);
+  }
+
+  std::vector<Word> words_;
+  std::size_t at_ = 0;
+};
+
+bool isStlText(const std::string& content)
+{
+  std::istringstream stream(content);
+  std::string word;
+  stream >> word;
+  return word.size() == 5 &&
+         std::equal(word.begin(), word.end(), "solid", [](unsigned char a, char b) { return std::tolower(a) == b; });
+}
+
+/// Lines of points, or an STL's text.
 Points pointsOfText(const std::string& content)
 {
+  if (isStlText(content))
+    return StlText(content).points();
   Points points;
   std::istringstream lines(content);
-  bool is_stl = false;
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);)
   {
@@ -92,10 +196,8 @@ Points pointsOfText(const std::string& content)
     std::vector<std::string> words;
     for (std::string word; stream >> word;)
       words.push_back(word);
-    is_stl = is_stl || (points.empty() && !words.empty() && words[0] == "solid");
-    if (words.empty() || (is_stl && words[0] != "vertex"))
-      continue;
-    points.push_back(pointOf(words, is_stl ? 1 : 0, number));
+    if (!words.empty())
+      points.push_back(pointOf(words, 0, number));
   }
   return points;
 }

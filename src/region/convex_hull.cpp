@@ -20,6 +20,9 @@ constexpr double NEAR = 1e-10;
 /// The least thickness of what is no plane, as that share.
 constexpr double FLAT = 1e-6;
 
+/// Of the surface, while it grows: a body of some hundred corners has twice as many triangles.
+constexpr std::size_t MOST_FACETS = 1024;
+
 /// Triangles around points that are added one by one.
 class Hull
 {
@@ -40,7 +43,12 @@ public:
   std::vector<HullTriangle> run()
   {
     for (std::size_t k = 0; k < points_.size(); ++k)
+    {
       add(k);
+      if (facets_.size() > MOST_FACETS)
+        throw std::invalid_argument("have a hull of more than " + std::to_string(MOST_FACETS / 4) +
+                                    " corners: give those of a simpler body around it");
+    }
     std::vector<HullTriangle> corners;
     for (const Facet& facet : facets_)
       corners.push_back(facet.corners);

@@ -158,7 +158,9 @@ void setPlace(const PlaceWish& wish, RegionQuery& query)
         "a center and base_z exclude each other, as the size decides how high above its base a region has its center: "
         "for a base about (X, Y) give the search box X X Y Y Z Z and base_z = Z");
   if (wish.base_z && !query.shape->standing() && query.shape->kind() == "polytope")
-    refuse("base_z asks for a polytope about a point of its lowest face: give its vertices as seen from one");
+    refuse(
+        "base_z asks for a polytope about a point of its lowest face, and moves it there where that is exact: give its "
+        "vertices as seen from such a point, so that the lowest z is 0");
   if (wish.base_z && !query.shape->standing())
     refuse("base_z is for regions with a lowest face, and a ", query.shape->name(),
            " has none: give a shape that has one, or a search box");

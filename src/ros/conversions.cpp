@@ -115,7 +115,7 @@ PlaceWish placeOf(const RegionRequest& request, const PlaceWish& own, const Shap
   if (request.use_search_box || request.use_center || request.use_base)
     return wish;
   wish = own;
-  if (!shape.standing())
+  if (!shape.standing() && shape.kind() != "polytope")  // of which setPlace() says what is wrong
     wish.base_z.reset();
   return wish;
 }

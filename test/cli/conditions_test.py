@@ -107,13 +107,13 @@ class Conditions(CommandTest):
         words = re.sub(r"\s+", " ", self.text("check", "--urdf", self.hinged("revolute_1", -0.4, 0.5), *REACHABLE,
                                              "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1, "--hinge-limits", "on",
                                              "--ball-tilt-max", 0.5, "--ball-axes", 1, 0, 0, 0, 1, 0, 0, 0, 1))
-        self.assertIn("with ball joints tilted by at most 0.5 rad from the axes (1, 0, 0), (0, 1, 0), (0, 0, 1), with all "
-                      "passive joints within their limits", words)
+        self.assertIn("with ball joints tilted by at most 0.5 rad from the axes (1, 0, 0), (0, 1, 0), (0, 0, 1), with "
+                      "all passive joints within their limits", words)
 
     def test_numbers_of_any_size(self):
         for speed, most in ((1e100, 1e-100), (1e-100, 1e100)):
-            answer = self.answer("check", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", speed, "--joint-speed-max",
-                                 most, "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1)
+            answer = self.answer("check", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", speed,
+                                 "--joint-speed-max", most, "--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1)
             self.assertEqual(answer["verdict"], "outside" if speed > most else "inside")
 
     def test_families_take_the_lesser_motors(self):

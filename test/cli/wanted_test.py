@@ -102,7 +102,9 @@ class Wanted(CommandTest):
 
     def test_a_workpiece_by_its_vertices(self):
         text = "# a cube\n\n" + "".join("{} {} {}\n".format(*corner) for corner in [*CORNERS, (0, 0.1, 0.2)])
-        files = [self.file("cube.txt", text), self.file("ascii.stl", ascii_stl()),
+        lines = ascii_stl().splitlines()  # white space of any kind parts the words of an STL, in any case
+        one_line = "\n".join([lines[0], " ".join(lines[1:-1]).replace("vertex", "VERTEX"), lines[-1]])
+        files = [self.file("cube.txt", text), self.file("ascii.stl", ascii_stl()), self.file("one.stl", one_line),
                  self.binary("binary.stl", binary_stl())]
         answers = [self.largest(ORTHOGLIDE, "--shape", "polytope", "--vertices", path) for path in files]
         for answer in answers:
@@ -139,6 +141,12 @@ class Wanted(CommandTest):
                (self.file("empty.txt", "# nothing\n"), "has no point: expected an STL, or lines of X Y Z"),
                (self.file("two.txt", "0 0 0\n1 2\n"), r"line 2: needs 3 numbers \(X Y Z\), got 2"),
                (self.file("word.txt", "0 0 0\n1 2 x\n"), "line 2: 'x' is not a finite number"),
+               (self.file("loop.stl", ascii_stl().replace("outer loop", "loop", 1)),
+                "line [0-9]+: 'loop' stands where an STL has 'outer'"),
+               (self.file("early.stl", ascii_stl().replace("endsolid cube", "")),
+                "ends early: expected 'facet', as an STL has it"),
+               (self.file("two.stl", ascii_stl().replace("vertex", "point", 1)),
+                "'point' stands where an STL has 'vertex'"),
                (self.file("nan.stl", ascii_stl().replace("vertex -5", "vertex nan5")), "is not a finite number"),
                (self.file("flat.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n"), "vertices lie in one plane"),
                (self.file("three.txt", "0 0 0\n1 0 0\n0 1 0\n"), "vertices are 3: a polytope has at least 4"),

@@ -237,8 +237,9 @@ TEST(Polytope, standsOnItsLowestFace)
   EXPECT_LE(box.size, standing.size_upper_bound);
   EXPECT_LE(standing.size, box.size_upper_bound);
   query.shape = makePolytope({ { 0, 0, 1 }, { 1, 0, -1 }, { -1, 1, -0.5 }, { -1, -1, -0.5 } });  // on one corner
-  test::expectThrow<std::invalid_argument>([&] { setPlace(place, query); },
-                                           "base_z asks for a polytope about a point of its lowest face: give");
+  test::expectThrow<std::invalid_argument>(
+      [&] { setPlace(place, query); },
+      "base_z asks for a polytope about a point of its lowest face, and moves it there where that is exact: give");
 }
 
 TEST(Polytope, refusesWhatIsNone)
