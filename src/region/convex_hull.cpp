@@ -47,7 +47,7 @@ public:
       add(k);
       if (facets_.size() > MOST_FACETS)
         throw std::invalid_argument("have a hull of more than " + std::to_string(MOST_FACETS / 4) +
-                                    " corners: give those of a simpler body around it");
+                                    " corners: give those of a coarser mesh around it");
     }
     std::vector<HullTriangle> corners;
     for (const Facet& facet : facets_)
