@@ -139,23 +139,6 @@ Words MachinesOptions::warnings() const
   return all;
 }
 
-std::string optionOf(std::string name)
-{
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
-void declareJointData(Options& options, Criterion& criterion)
-{
-  for (const JointDatum& datum : JOINT_DATA)
-    options.legs(optionOf(datum.name), "NUMBER", datum.help + std::string(", in ") + datum.unit,
-                 [&values = criterion.*datum.values, &datum](const Words& words) {
-                   const std::vector<double> numbers = readNumbers(words, Quantity{ datum.unit, 0.0, false });
-                   for (std::size_t leg = 0; leg < 3; ++leg)
-                     values[leg] = numbers[numbers.size() == 1 ? 0 : leg];
-                 });
-}
-
 void declareCriterion(Options& options, Criterion& criterion)
 {
   criterion = defaultCriterion();
@@ -167,6 +150,7 @@ void declareCriterion(Options& options, Criterion& criterion)
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     options.number(optionOf(bound.name), criterion.*bound.value, quantityOf(bound), bound.help);
   declareJointData(options, criterion);
+  requireEffect(options, criterion);
   options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
   options.onOff("hinge-limits", criterion.hinge_limits, "whether the URDF's limits of passive joints hold too");
   Words of_dextrous = { "set" }, all;

@@ -77,6 +77,8 @@ std::string optionOf(std::string name);
 
 /// What is known of the joints, each one number for all legs, or three.
 void declareJointData(Options& options, Criterion& criterion);
+/// Refuses what of that counts for nothing that the criterion asks for.
+void requireEffect(Options& options, const Criterion& criterion);
 
 void declareCriterion(Options& options, Criterion& criterion);
 /// The same for one machine, with --psi auto: remarks on the bounds that it chose, and on default ones that do not suit

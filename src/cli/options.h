@@ -73,6 +73,8 @@ public:
   /// is told with those that were given in front.
   void check(const Words& names, const std::function<void(Problems&)>& condition);
   bool given(const std::string& name) const;
+  /// Whether there is an option of this name.
+  bool has(const std::string& name) const { return find(name) != nullptr; }
   /// A word before all options is the value of this one.
   void lead(const std::string& name) { leading_ = name; }
   /// " FILE" where there is such an option, for help texts.

@@ -10,14 +10,11 @@
 
 namespace pkm_workspace
 {
-namespace
-{
 const CriterionBound& boundOf(const JointDatum& datum)
 {
   return *std::find_if(CRITERION_BOUNDS.begin(), CRITERION_BOUNDS.end(),
                        [&datum](const CriterionBound& bound) { return bound.value == datum.bound; });
 }
-}  // namespace
 
 std::string exact(const JointValues& values)
 {

@@ -35,25 +35,11 @@ inline std::array<Span<Real>, 3> factorsOver(const LegModels<Real>& legs, const 
 {
   using std::max;
   using std::sqrt;
-  const SymmetricForms<Real> gram = pencilForms(legs, forms, Enclosed<Real>(Real(0), Real(0)));
-  SymmetricForms<Real> squares;
   std::array<Real, 3> inverse;
   for (std::size_t i = 0; i < 3; ++i)
-  {
-    squares[i] = forms.legs[i].squared_drive;
     inverse[i] = Real(1) / forms.legs[i].drive.center;
-  }
-  eigen::Symmetric<Real> matrix;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    matrix[i] = gram[i].center * inverse[i] * inverse[i];
-    matrix[3 + i] = gram[3 + i].center * inverse[(i + 1) % 3] * inverse[(i + 2) % 3];
-  }
-  eigen::Basis<Real> basis = eigen::basisOf(matrix);
-  for (auto& vector : basis.vector)
-    for (std::size_t i = 0; i < 3; ++i)
-      vector[i] = vector[i] * inverse[i];
-  std::array<Span<Real>, 3> psi = pencilEigenvalues(gram, squares, basis.vector, basis.value);
+  const SymmetricForms<Real> gram = pencilForms(legs, forms, Enclosed<Real>(Real(0), Real(0)));
+  std::array<Span<Real>, 3> psi = pencilEigenvalues(gram, forms.squaredDrives(), inverse);
   for (Span<Real>& span : psi)
   {
     const Real lower = sqrt(max(span.lower, Real(0)));

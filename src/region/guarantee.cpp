@@ -56,8 +56,9 @@ public:
     , budget_(query.budget)
   {
     result_.bound = &bound;
+    result_.counting = jointDataInWords(values_.test().model().criterion(), bound.value);
     proved_ = bound.is_lower ? 0.0 : INF;
-    seen_ = bound.is_lower ? INF : 0.0;
+    seen_ = doubtful_ = bound.is_lower ? INF : 0.0;
   }
 
   Guarantee run()
@@ -96,7 +97,7 @@ private:
       if (const auto inside = nearestInside(shape_, center_ + point.at(size_), center_, size_))
         see(*inside);
     double step = 0.5 * query_.accuracy;
-    for (int trial = 0; trial < MOST_TRIALS && !isMet() && !budget_.isOver(result_.boxes); ++trial)
+    for (int trial = 0; trial < MOST_TRIALS && !isSettled() && !budget_.isOver(result_.boxes); ++trial)
     {
       const double wanted = candidate(trial, step);
       const double value = std::clamp(wanted, bound_.least, bound_.most);
@@ -106,8 +107,8 @@ private:
       const ContainmentResult found = check(asking(machine_, reached_, bound_, value));
       if (found.verdict == Containment::INSIDE)
         proved_ = value;
-      else if (found.verdict == Containment::OUTSIDE)
-        refute(value, found);
+      else if (found.verdict == Containment::UNDECIDED || !refute(value, found))
+        doubtful_ = value;
       step = found.verdict == Containment::INSIDE ? 0.5 * query_.accuracy : std::min(0.9, 4.0 * step);
     }
   }
@@ -115,24 +116,25 @@ private:
   /// Near to what no point allows to pass, or, every other time, half the way there.
   double candidate(int trial, double step) const
   {
-    const double near = bound_.is_lower ? seen_ * (1.0 - step) : seen_ * (1.0 + step);
+    const double near = bound_.is_lower ? end() * (1.0 - step) : end() * (1.0 + step);
     const bool has_proof = bound_.is_lower ? proved_ > 0.0 : proved_ < INF;
     const bool is_between = bound_.is_lower ? near > proved_ : near < proved_;
-    return has_proof && (trial % 2 == 1 || !is_between) ? 0.5 * (proved_ + seen_) : near;
+    return has_proof && (trial % 2 == 1 || !is_between) ? 0.5 * (proved_ + end()) : near;
   }
 
-  /// The value is not kept: nor is a better one than that of the bad point.
-  void refute(double value, const ContainmentResult& found)
+  /// The value is not kept at the bad point: nor is a better one than that of the point.
+  /// @return false where the point is only near
+  bool refute(double value, const ContainmentResult& found)
   {
     if (!found.bad_point || found.bad_within > 0.0)
-      return;
-    const PointEvaluation there = evaluatePoint(machine_, asking(machine_, reached_, bound_, value), *found.bad_point);
+      return false;
     if (lower(value))
     {
       result_.place = *found.bad_point;
-      result_.limit = there.binding();
+      result_.limit = evaluatePoint(machine_, asking(machine_, reached_, bound_, value), result_.place).binding();
     }
     see(*found.bad_point);
+    return true;
   }
 
   void see(const Eigen::Vector3d& point)
@@ -156,11 +158,17 @@ private:
     return is_worse;
   }
 
-  bool isMet() const
+  /// What is not proved of every point, nor to be broken by one, begins here.
+  double end() const { return bound_.is_lower ? std::min(seen_, doubtful_) : std::max(seen_, doubtful_); }
+
+  bool isNear(double value) const
   {
-    return std::isfinite(seen_) && std::isfinite(proved_) &&
-           std::abs(seen_ - proved_) <= query_.accuracy * std::abs(seen_);
+    return std::isfinite(value) && std::isfinite(proved_) &&
+           std::abs(value - proved_) <= query_.accuracy * std::abs(value);
   }
+  bool isMet() const { return isNear(seen_); }
+  /// Whether another trial could tell more.
+  bool isSettled() const { return isNear(end()); }
 
   const Machine& machine_;
   const GuaranteeQuery& query_;
@@ -173,6 +181,7 @@ private:
   RunningBudget budget_;
   double proved_;          ///< for every point
   double seen_;            ///< at the worst point
+  double doubtful_;        ///< the value nearest to the proved one of which nothing could be told
   double last_end_ = 0.0;  ///< of the values that may be asked for, the one that was tried
   Guarantee result_;
 };

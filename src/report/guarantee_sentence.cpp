@@ -29,7 +29,8 @@ std::string rounded(double value, bool down)
 std::string describe(const Guarantee& guarantee, const Machine& machine, const Budget& budget)
 {
   const CriterionBound& bound = *guarantee.bound;
-  const std::string subject = bound.subject, unit = *bound.unit == '\0' ? "" : std::string(" ") + bound.unit;
+  const std::string subject = bound.subject + guarantee.counting,
+                    unit = *bound.unit == '\0' ? "" : std::string(" ") + bound.unit;
   const std::string ended_by = budget.endedBy(guarantee.seconds, guarantee.boxes);
   const std::string ending =
       guarantee.complete ? ""
@@ -40,14 +41,14 @@ std::string describe(const Guarantee& guarantee, const Machine& machine, const B
     return "Nothing is proved of " + subject + ": " +
            (guarantee.is_reached ? (ended_by.empty() ? "it was shown for none of the values that may be asked for"
                                                      : ended_by + " ended the proof")
-            : guarantee.limit    ? "at " + placeOf(guarantee) + " " + describe(*guarantee.limit, machine)
+            : guarantee.limit    ? "near " + placeOf(guarantee) + " " + describe(*guarantee.limit, machine)
                                  : "it is undecided whether the region is reached") +
            ".";
   const double at_place = bound.is_lower ? guarantee.value.upper() : guarantee.value.lower();
   const std::string leg =
       !guarantee.limit || guarantee.limit->leg < 0 ? "" : ", by '" + machine.leg(guarantee.limit->leg).joint + "'";
   return "Proved for every point: " + subject + " is at " + (bound.is_lower ? "least " : "most ") +
-         rounded(proved, bound.is_lower) + unit + "; at " + placeOf(guarantee) + " it is no " +
+         rounded(proved, bound.is_lower) + unit + "; near " + placeOf(guarantee) + " it is no " +
          (bound.is_lower ? "more than " : "less than ") + rounded(at_place, !bound.is_lower) + unit + leg + ending +
          ".";
 }

@@ -113,15 +113,24 @@ void readBounds(const CriterionRequest& request, Criterion& criterion, Problems&
     problems.push_back("psi_min and psi_max must be 0 unless the set is DEXTROUS: in a reachable set they are free");
 }
 
+bool counts(const JointDatum& datum, JointUse use, const Criterion& criterion)
+{
+  return use == JointUse::ALL || criterion.*datum.bound != 0.0 ||
+         (use == JointUse::SPEEDS_TOO && datum.bound == &Criterion::tool_speed_min);
+}
+
 /// Empty for the default; +inf for nothing known.
-void readJointData(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+void readJointData(const CriterionRequest& request, JointUse use, Criterion& criterion, Problems& problems)
 {
   for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
   {
     const auto& values = request.*JOINT_FIELDS[k].request;
     if (values.empty())
       continue;
-    if (values.size() != 1 && values.size() != 3)
+    if (!counts(JOINT_DATA[k], use, criterion))
+      problems.push_back(std::string(JOINT_DATA[k].name) + " must be empty unless " + boundOf(JOINT_DATA[k]).name +
+                         " is asked for, which it counts for");
+    else if (values.size() != 1 && values.size() != 3)
       problems.push_back(std::string(JOINT_DATA[k].name) + " has " + std::to_string(values.size()) +
                          " numbers, it must have one for all legs, or three, or none for the node's");
     else
@@ -163,7 +172,7 @@ void choosePsi(const CriterionRequest& request, const Machine& machine, Criterio
 }  // namespace
 
 Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
-                      Problems& problems)
+                      Problems& problems, JointUse use)
 {
   Criterion criterion = defaults;
   const std::size_t before = problems.size();
@@ -172,7 +181,7 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   readBounds(request, criterion, problems);
   readSwitch("joint_limits", request.joint_limits, criterion.joint_limits, problems);
   readSwitch("hinge_limits", request.hinge_limits, criterion.hinge_limits, problems);
-  readJointData(request, criterion, problems);
+  readJointData(request, use, criterion, problems);
   criterion = withJointData(machine, criterion);
   choosePsi(request, machine, criterion, problems);
   const Origin origin = [&request](const std::string& name) {
@@ -198,12 +207,9 @@ void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, 
   for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
     for (std::size_t leg = 0; JOINT_DATA[k].own != nullptr && (request.*JOINT_FIELDS[k].request).empty() && leg < 3;
          ++leg)
-    {
-      double& value = (criterion.*JOINT_DATA[k].values)[leg];
-      const bool is_given = (given.*JOINT_DATA[k].values)[leg] != 0.0;
-      if (!is_given && value == machine.leg(static_cast<int>(leg)).*JOINT_DATA[k].own)
-        value = 0.0;
-    }
+      if ((given.*JOINT_DATA[k].values)[leg] == 0.0 &&
+          (criterion.*JOINT_DATA[k].values)[leg] == machine.leg(static_cast<int>(leg)).*JOINT_DATA[k].own)
+        (criterion.*JOINT_DATA[k].values)[leg] = 0.0;
 }
 
 std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,

@@ -62,7 +62,8 @@ GuaranteeTask GuaranteeService::read(const ComputeGuarantees::Request& request, 
   if (const auto region = fromMessage(request.solid, request.center, problems))
     task.region = *region;
   task.quantities = request.quantities;
-  task.query.criterion = fromMessage(counted(request.criterion), machine, context_.query().criterion, problems);
+  task.query.criterion =
+      fromMessage(counted(request.criterion), machine, context_.query().criterion, problems, JointUse::ALL);
   task.query.accuracy = valueOr(request.accuracy, task.query.accuracy);
   task.query.budget = node;
   task.query.budget.time_limit = timeLimitOf(request.time_limit, node.time_limit, node.time_limit, problems);

@@ -43,11 +43,11 @@ PlannerService::~PlannerService()
 
 template <class Response>
 PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, const CriterionRequest& request,
-                                                     Response& response)
+                                                     Response& response, JointUse use)
 {
   const FramedMachine in = context_.frames.machineIn(frame);
   Problems problems;
-  const Criterion criterion = fromMessage(request, context_.machine(), context_.query().criterion, problems);
+  const Criterion criterion = fromMessage(request, context_.machine(), context_.query().criterion, problems, use);
   throwProblems(problems);
   const Premises premises = in.premises(criterion);
   const EvaluatorPtr evaluator = evaluatorFor(*in.machine, premises);
@@ -92,7 +92,9 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
 {
-  const EvaluatorPtr evaluator = prepare(frameOf(request), request.criterion, response);
+  const bool is_at_speed = request.tool_speed != 0.0 || request.largest_feed != 0;
+  const EvaluatorPtr evaluator =
+      prepare(frameOf(request), request.criterion, response, is_at_speed ? JointUse::SPEEDS_TOO : JointUse::BOUNDS);
   PathTask task;
   task.rates = ratesOf(request, context_.parameters.joint_acceleration_max);
   task.query.stop = crew_.stopFlag();

@@ -88,8 +88,10 @@ class Conditions(CommandTest):
             (("--stiffness-min", 1e5), r"stiffness_min needs the stiffness of its drive \[N/m\] of joint "
                                        r"'rail_x': give joint_stiffness"),
             (("--position-error-max", 1e-4), "needs the largest error .m. of joint 'rail_x'"),
+            (("--joint-stiffness", 1e6), "--joint-stiffness 1.*is without effect: it counts for --stiffness-min"),
+            (("--joint-speed-max", 1), "--joint-speed-max 1.*is without effect: it counts for --tool-speed-min"),
             (("--tool-speed-min", -1), "--tool-speed-min"),
-            (("--joint-speed-max", 1, 2), "--joint-speed-max"),
+            (("--tool-speed-min", 0.5, "--joint-speed-max", 1, 2), "--joint-speed-max"),
             (("--strut-angle-max", 2), "--strut-angle-max"),
             (("--strut-angle-min", 0.7, "--strut-angle-max", 0.5), "strut_angle_max = 0.5 .*must be at least "
                                                                      "strut_angle_min = 0.7"),

@@ -9,10 +9,11 @@ from oracle import dot
 from reasons import N, hold
 
 SPEED, FORCE, STIFFNESS, ERROR = 1.0, 1000.0, 1e6, 1e-5  # of the joints: the URDF's, and those that are given
-GUARANTEE = (rf"Proved for every point: (?P<subject>.*?) is at (?P<end>least|most) (?P<value>{N})(?: [a-zN/]+)?; at "
+GUARANTEE = (r"Proved for every point: (?P<subject>.*?)(?: by (?:joints|drives) .*?)? is at (?P<end>least|most) "
+             rf"(?P<value>{N})(?: [a-zN/]+)?; near "
              rf"(?P<place>\(.*?\)) m it is no (?:more|less) than (?P<other>{N})(?: [a-zN/]+)?(?:, by '(?P<joint>.*?)')?"
              r"(?P<early>\. The accuracy was not met: .*)?\.")
-NO_GUARANTEE = r"Nothing is proved of (?!the global)(?P<subject>.*?): (?P<why>.*)\."
+NO_GUARANTEE = r"Nothing is proved of (?!the global)(?P<subject>.*?)(?: by (?:joints|drives) .*?)?: (?P<why>.*)\."
 
 
 def cross(u, v):

@@ -82,6 +82,9 @@ TEST(Conditions, areRefusedWhereSomethingIsMissing)
   query.criterion.stiffness_min = 1e5;
   expectRefusal(compute(query), "stiffness_min needs the stiffness of its drive .* of joint 'rail_x'");
   query.criterion = CriterionRequest();
+  query.criterion.joint_stiffness = { 1e6 };
+  expectRefusal(compute(query), "joint_stiffness must be empty unless stiffness_min is asked for, which it counts for");
+  query.criterion = CriterionRequest();
   query.criterion.hinge_limits = 7;
   expectRefusal(compute(query), "hinge_limits = 7 must be DEFAULT = 0, ON = 1 or OFF = 2");
   query.criterion.hinge_limits = CriterionRequest::ON;  // none has a limit

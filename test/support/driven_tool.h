@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "pkm_workspace/dexterity/condition.h"
 #include "pkm_workspace/dexterity/criterion.h"
@@ -43,7 +44,7 @@ public:
       case ConditionKind::TOOL_FORCE_MIN:
         return worst(true, [this](std::size_t i) { return toolForce(i); });
       case ConditionKind::STIFFNESS_MIN:
-        return 1 / largestEigenvalue(compliance());
+        return 1 / extremeEigenvalues(compliance()).second;
       case ConditionKind::POSITION_ERROR_MAX:
         return largestError();
       case ConditionKind::STRUT_ANGLE_MIN:
@@ -176,8 +177,9 @@ private:
     return largest;
   }
 
-  /// Of a symmetric matrix, by the trigonometric roots of its cubic.
-  static Number largestEigenvalue(Matrix m)
+public:
+  /// The least and the largest eigenvalue of a symmetric matrix, by the trigonometric roots of its cubic.
+  static std::pair<Number, Number> extremeEigenvalues(Matrix m)
   {
     using std::acos, std::cos, std::sqrt;
     const Number mean = (m[0][0] + m[1][1] + m[2][2]) / 3;
@@ -189,11 +191,14 @@ private:
     }
     const Number spread = sqrt(squares / 6);
     if (spread == 0)
-      return mean;
+      return { mean, mean };
     const Number cosine = determinant(m) / (2 * spread * spread * spread);
-    return mean + 2 * spread * cos(acos(cosine < -1 ? Number(-1) : cosine > 1 ? Number(1) : cosine) / 3);
+    const Number turn = acos(cosine < -1 ? Number(-1) : cosine > 1 ? Number(1) : cosine) / 3;
+    const Number third = 2 * boost::math::constants::pi<Number>() / 3;
+    return { mean + 2 * spread * cos(turn + third), mean + 2 * spread * cos(turn) };
   }
 
+private:
   Criterion criterion_;
   Matrix strut_;
   Vector eta_;

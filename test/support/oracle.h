@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 #include <stdexcept>
@@ -218,27 +217,14 @@ private:
     return least > 0 ? Number(sqrt(largest / least)) : Number(1e300);
   }
 
-  /// psi_1^2 and psi_3^2: the extreme eigenvalues of B^-1 A A^T B^-1, by the roots of a cubic in the form of Vieta.
+  /// psi_1^2 and psi_3^2: the extreme eigenvalues of B^-1 A A^T B^-1.
   static std::pair<Number, Number> squaredFactors(const std::array<Vector, 3>& strut, const Vector& eta)
   {
     std::array<Vector, 3> m;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         m[i][j] = dot(strut[i], strut[j]) / (eta[i] * eta[j]);
-    const Number mean = (m[0][0] + m[1][1] + m[2][2]) / 3;
-    Number squares = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      m[i][i] -= mean;
-      squares += dot(m[i], m[i]);
-    }
-    const Number spread = sqrt(squares / 6);
-    if (spread == 0)
-      return { mean, mean };
-    const Number cosine = det(m) / (2 * spread * spread * spread);
-    const Number angle = acos(cosine < -1 ? Number(-1) : cosine > 1 ? Number(1) : cosine) / 3;
-    const Number third = 2 * boost::math::constants::pi<Number>() / 3;
-    return { mean + 2 * spread * cos(angle + third), mean + 2 * spread * cos(angle) };
+    return DrivenTool::extremeEigenvalues(m);
   }
 
   /// Whether sign * (A A^T - psi^2 B^2) is positive semidefinite, by all its principal minors.

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/machine/machine.h"
 
@@ -43,6 +44,9 @@ inline constexpr std::array<JointDatum, 5> JOINT_DATA = { {
     "the largest error", " by joints off by up to {} m", "largest error of a joint's position (encoder, backlash)" },
 } };
 // clang-format on
+
+/// The bound that they count for.
+const CriterionBound& boundOf(const JointDatum& datum);
 
 /// "1" where all legs have one number, else "(1, 2, 1)", each by all its digits.
 std::string exact(const JointValues& values);

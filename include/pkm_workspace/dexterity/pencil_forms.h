@@ -66,14 +66,11 @@ SymmetricForms<Real> gramMatrix(const LegModels<Real>& legs, const MachineForms<
 }
 
 /// Encloses the eigenvalues, ascending, of the pencil M - sigma D over a box, for the matrix D with these positive
-/// forms on its diagonal and nothing else.
+/// forms on its diagonal and nothing else. @param inverse near to 1 over the roots of their middles
 template <class Real>
-std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& m, const std::array<AffineForm<Real>, 3>& d)
+std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& m, const std::array<AffineForm<Real>, 3>& d,
+                                            const std::array<Real, 3>& inverse)
 {
-  using std::sqrt;
-  std::array<Real, 3> inverse;
-  for (std::size_t i = 0; i < 3; ++i)
-    inverse[i] = Real(1) / sqrt(d[i].center);
   eigen::Symmetric<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {

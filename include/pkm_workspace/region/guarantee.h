@@ -24,6 +24,7 @@ struct GuaranteeQuery
 struct Guarantee
 {
   const CriterionBound* bound = nullptr;
+  std::string counting;  ///< with what is known of the joints, in words: " by joints up to 1 m/s"
   /// Encloses it; the end that asks for less is proved for every point of the region, and no better one than the other
   /// end is kept at the place. From 0 (or to infinity) where nothing is proved.
   Interval value = 0.0;

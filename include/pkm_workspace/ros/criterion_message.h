@@ -19,12 +19,21 @@ inline double valueOr(double value, double fallback)
   return value == 0.0 ? fallback : value;
 }
 
+/// What counts with what is known of the joints: the bounds of a criterion; on a path that is gone along at a speed,
+/// the joints' speeds too; or all that a guarantee may be asked for.
+enum class JointUse
+{
+  BOUNDS,
+  SPEEDS_TOO,
+  ALL
+};
+
 /// Reads a criterion.
 /// @param machine that bounds are chosen for, where the request asks for that
 /// @param defaults what fields without a value stand for; where there is a problem, all but set and aspect
 /// @param problems gets one sentence for each value that is unknown, out of range or without effect
 Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
-                      Problems& problems);
+                      Problems& problems, JointUse use = JointUse::BOUNDS);
 
 /// Takes what a criterion has from the URDF of one machine's joints out again, so that each of several machines counts
 /// with its own. @param given by the node's parameters; what they or the request give stays

@@ -10,6 +10,7 @@
 
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/ros/crew.h"
+#include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/node_context.h"
 
 namespace pkm_workspace
@@ -33,7 +34,8 @@ private:
 
   /// Reads frame and criterion, and fills in what the answer holds for. @return what to ask
   template <class Response>
-  EvaluatorPtr prepare(const std::string& frame, const CriterionRequest& criterion, Response& response);
+  EvaluatorPtr prepare(const std::string& frame, const CriterionRequest& criterion, Response& response,
+                       JointUse use = JointUse::BOUNDS);
   /// Keeps the last one for the next request, which mostly is about the same.
   EvaluatorPtr evaluatorFor(const Machine& machine, const Premises& premises);
 

@@ -30,9 +30,13 @@ public:
     const LegModels<Real> legs(at.machine(), std::nullopt);
     const MachineForms<Real> forms = legs.evaluate(CenteredBox<Real>(Box{ at.place(), at.place() }));
     std::array<AffineForm<Real>, 3> compliances;
+    std::array<Real, 3> inverse;
     for (std::size_t leg = 0; leg < 3; ++leg)
+    {
       compliances[leg] = -one.lessOf(leg, legs, forms);
-    const Span<Real> least = pencilEigenvalues(gramMatrix(legs, forms), compliances)[0];
+      inverse[leg] = Real(1) / std::sqrt(compliances[leg].center);
+    }
+    const Span<Real> least = pencilEigenvalues(gramMatrix(legs, forms), compliances, inverse)[0];
     at.atLeast(ConditionKind::STIFFNESS_MIN, -1, intersection(Interval(least.lower, least.upper), Interval(0.0, INF)),
                asked);
   }

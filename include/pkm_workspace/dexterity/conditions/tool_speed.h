@@ -20,12 +20,10 @@ public:
   {
     if (!(criterion.tool_speed_min > 0.0))
       return std::nullopt;
-    const JointValues& fastest = criterion.joint_speed_max;
-    // no |n| is below |b|: of less than 1 the set is empty, and more says nothing wrong
-    const Interval ratio(*std::max_element(fastest.begin(), fastest.end()) / criterion.tool_speed_min);
-    return std::max(ratio.upper(), 1e-3) > 1e-3
-               ? Interval(*std::max_element(fastest.begin(), fastest.end())) / Interval(criterion.tool_speed_min)
-               : Interval(1e-3);
+    const JointValues& speeds = criterion.joint_speed_max;
+    const double fastest = *std::max_element(speeds.begin(), speeds.end());
+    // |n| is not below |b|: of less than 1 the set is empty, and more bounds it no less rightly
+    return Interval(std::max(fastest, 1e-3 * criterion.tool_speed_min)) / Interval(criterion.tool_speed_min);
   }
   /// V_i |b_i| / |n_i| for each leg.
   template <class At>
