@@ -15,6 +15,7 @@ using Kind = Limit::Kind;
 
 /// Digits of a value that is far enough from its bound, and what is not: a share of the longest strut, of the bound.
 constexpr int DIGITS = 6;
+constexpr int FEW_DIGITS = 3;
 constexpr double NEAR = 1e-9;
 const std::string LENGTH = " m";
 
@@ -46,7 +47,7 @@ std::string unitOf(Kind kind)
   return kind == Kind::ASPECT ? "" : LENGTH;
 }
 
-Relation relationOf(const Limit& limit, const Machine& machine)
+Relation relationOf(const Limit& limit, const Machine& machine, int digits = DIGITS)
 {
   Relation relation;
   relation.is_violated = limit.isViolated();
@@ -60,11 +61,11 @@ Relation relationOf(const Limit& limit, const Machine& machine)
   const double unit = unitOf(limit.kind) == LENGTH ? machine.scale() : std::max(1.0, limit.bound);
   if (!limit.value.isBounded() || !(relation.is_violated || relation.is_kept) || !(distance > NEAR * unit))
     return relation;
-  const std::string value = nearly(limit.value.lower(), DIGITS);
+  const std::string value = nearly(limit.value.lower(), digits);
   const double number = parseNumber(value).value_or(0.0);
-  const double bound = parseNumber(nearly(limit.bound, DIGITS)).value_or(0.0);
+  const double bound = parseNumber(nearly(limit.bound, digits)).value_or(0.0);
   const bool tells = is_below ? number < std::min(bound, limit.bound) : number > std::max(bound, limit.bound);
-  if (tells && value == nearly(limit.value.upper(), DIGITS))
+  if (tells && value == nearly(limit.value.upper(), digits))
     relation.value = value + unitOf(limit.kind);
   return relation;
 }
@@ -135,6 +136,20 @@ std::string hingePhrase(const StrutStop& stop, const Relation& relation)
          relation.distance + " at most at the strut's end";
 }
 
+/// "tool speed" of "tool_speed_min".
+std::string quantityOf(Kind kind)
+{
+  std::string words = name(kind);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return boundOf(kind) == nullptr ? words : words.substr(0, words.rfind(' '));
+}
+
+/// "at least 0.4", "at most 0.6"
+std::string boundPhrase(Kind kind, double bound)
+{
+  return (isAtLeast(kind) ? "at least " : "at most ") + exact(bound);
+}
+
 std::string aspectPhrase(const Relation& relation)
 {
   if (relation.is_violated)
@@ -165,6 +180,25 @@ std::string describe(const Limit& limit, const Machine& machine)
       return phrase(boundOf(limit.kind)->subject + ofLeg(limit, machine), "is", exact(limit.bound) + unitOf(limit.kind),
                     relation);
   }
+}
+
+std::string brief(const Limit& limit, const Machine& machine)
+{
+  const Relation relation = relationOf(limit, machine, FEW_DIGITS);
+  if (boundOf(limit.kind) == nullptr || relation.value.empty())
+    return describe(limit, machine);
+  const std::string leg = limit.leg < 0 ? "" : " (" + machine.leg(limit.leg).joint + ")";
+  return quantityOf(limit.kind) + ' ' + relation.value + ", " + boundPhrase(limit.kind, limit.bound) + " asked" + leg;
+}
+
+std::string briefly(Kind kind, const Criterion& criterion)
+{
+  const CriterionBound* const bound = boundOf(kind);
+  if (bound != nullptr)
+    return quantityOf(kind) + ' ' + boundPhrase(kind, criterion.*bound->value) + unitOf(kind);
+  const bool is_stop =
+      kind == Kind::JOINT_LOWER || kind == Kind::JOINT_UPPER || kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER;
+  return quantityOf(kind) + (is_stop ? " limit" : "");
 }
 
 std::vector<std::string> violations(const PointEvaluation& there, const Machine& machine)

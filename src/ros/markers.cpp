@@ -206,24 +206,24 @@ double unitOf(const Machine& machine)
 }  // namespace
 
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
-                                          const DrawnRails& rails, const Paving* paving, bool show_boundary)
+                                          const DrawnRails& rails, const SetSurface* set)
 {
   Scene scene(region.header, unitOf(machine), captionOf(premises, "accuracy", region.hypotheses.accuracy));
   const LabelPlaces places(region, machine, rails, scene.unit());
   if (region.size > 0.0)
     addRegion(region, places, scene);
-  if (paving)
-    addPaving(paving->tree, "paving_inside", show_boundary ? "paving_boundary" : "", scene);
+  if (set)
+    set->addTo(scene, "paving_inside", "paving_boundary");
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
     addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), places.ofRail(i), scene);
   return scene.array();
 }
 
-visualization_msgs::MarkerArray markersOf(const Paving& paving, const Premises& premises, const Machine& machine,
+visualization_msgs::MarkerArray markersOf(const SetSurface& set, const Premises& premises, const Machine& machine,
                                           const Workspace& workspace, double ceiling)
 {
   Scene scene(workspace.header, unitOf(machine), captionOf(premises, "resolution", workspace.hypotheses.accuracy));
-  addPaving(paving.tree, "inside", "boundary", scene, ceiling);
+  set.addTo(scene, "inside", "boundary", ceiling);
   return scene.array();
 }
 

@@ -107,6 +107,7 @@ Table tableOf(Parameters& parameters)
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
+    { "set_colors", oneOf(parameters.set_colors, SET_COLORS_NAMES) },
     { "max_memory",
       { "a whole number of bytes, 4096 to 2147483647",
         [&query](const XmlRpcValue& value) { return readMemory(value, query.budget.max_memory); } } },

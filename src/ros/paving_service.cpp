@@ -88,9 +88,10 @@ void PavingService::show(const FramedMachine& in, Workspace workspace,
   workspace.inside = workspace.boundary = BoxList();
   workspace_.publish(workspace);
   const Premises premises = in.premises(paving.premises.criterion);
-  const auto shown = markersOf(paving, premises, *in.machine, workspace);
+  const auto set = std::make_shared<const SetSurface>(paving, *in.machine, context_.parameters.set_colors, true);
+  const auto shown = markersOf(*set, premises, *in.machine, workspace);
   markers_.publish(inRoot(shown, in, context_.frames.root().frame));
-  below_.show(in, workspace, report);
-  context_.panel.tell("set", shown.markers.front().text);
+  below_.show(in, workspace, report, set);
+  context_.panel.tell("set", shown.markers.front().text, set->legend());
 }
 }  // namespace pkm_workspace

@@ -49,14 +49,14 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
-  const Paving* paving = pavingFor(question, region, stop);
+  const SetSurface* const set = setFor(question, region, stop);
   const Premises premises = question.in.premises(question.query.criterion);
   const Machine& machine = *question.in.machine;
   const DrawnRails& rails = context_.urdf.drawn_rails;
-  const auto shown = markersOf(region, premises, machine, rails, paving, context_.parameters.show_boundary);
+  const auto shown = markersOf(region, premises, machine, rails, set);
   markers_.publish(inRoot(shown, question.in, context_.frames.root().frame));
   context_.panel.moveTo(question.in.toRoot() * placeOfHypotheses(region, machine, rails));
-  context_.panel.tell("region", shown.markers.front().text);
+  context_.panel.tell("region", shown.markers.front().text, set ? set->legend() : Legend());
 }
 
 /// Across parallel rails the plane of the region's center.
@@ -90,7 +90,7 @@ PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question, const R
   return wanted;
 }
 
-const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const Region& region, const StopFlag& stop)
+const SetSurface* RegionPublisher::setFor(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
   if (!context_.parameters.show_paving)
     return nullptr;
@@ -103,7 +103,7 @@ const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const R
     if (paving_)
       validateEarlier(*question.in.machine, wanted, *paving_, differences);
     if (paving_ && differences.empty())
-      return &*paving_;
+      return &*set_;
     wanted.budget.stop = stop.get();
     paving_ = pave(*question.in.machine, wanted);
     const BoxTree& tree = paving_->tree;
@@ -112,7 +112,8 @@ const Paving* RegionPublisher::pavingFor(const RegionQuestion& question, const R
                    static_cast<long>(tree.count(CellState::BOUNDARY) + tree.count(CellState::PENDING)),
                    paving_->seconds);
     if (!*stop)
-      return &*paving_;
+      return &set_.emplace(*paving_, *question.in.machine, context_.parameters.set_colors,
+                           context_.parameters.show_boundary);
     paving_.reset();  // it is not what was asked for
     return nullptr;
   }

@@ -5,19 +5,15 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Core>
-#include <limits>
 #include <map>
 #include <string>
 
 #include "pkm_workspace/machine/machine.h"
-#include "pkm_workspace/paving/box_tree.h"
+#include "pkm_workspace/ros/legend.h"
 
 namespace pkm_workspace
 {
-struct Color
-{
-  float r, g, b, a;
-};
+constexpr Color TEXT = { 0.1F, 0.1F, 0.1F, 1.0F };
 
 std_msgs::ColorRGBA toMessage(const Color& color);
 
@@ -33,7 +29,10 @@ public:
   double unit() const { return unit_; }
   visualization_msgs::Marker& add(const std::string& ns, int type, const Color& color);
   /// @param size of the letters, 1 for a label
-  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text, double size = 1.0);
+  /// From one line of letters to the next, as rviz has them [m].
+  double lineHeight(double size = 1.0) const;
+  void addText(const std::string& ns, const Eigen::Vector3d& place, const std::string& text, double size = 1.0,
+               const Color& color = TEXT);
 
   const visualization_msgs::MarkerArray& array() const { return array_; }
 
@@ -42,13 +41,6 @@ private:
   std::map<std::string, int> ids_;
   visualization_msgs::MarkerArray array_;
 };
-
-/// Adds the surface of a paving's boxes, as coarsely as it takes for about 20000 boxes: a list of triangles for what is
-/// inside, one for what is undecided.
-/// @param inside, undecided namespaces; empty: these boxes are left out
-/// @param ceiling boxes that reach above it are left out [m]; flat ones that do not change along z are lowered to it
-void addPaving(const BoxTree& tree, const std::string& inside, const std::string& undecided, Scene& scene,
-               double ceiling = std::numeric_limits<double>::infinity());
 
 /// A bound as people write it, 0.3: exactly where that is short, else in a few digits, rounded to the side on which it
 /// holds.

@@ -31,9 +31,9 @@ SetBelow::SetBelow(NodeContext& context, Interaction& interaction)
 }
 
 void SetBelow::show(const FramedMachine& in, const Workspace& workspace,
-                    const std::shared_ptr<const PavingReport>& report)
+                    const std::shared_ptr<const PavingReport>& report, const std::shared_ptr<const SetSurface>& set)
 {
-  const auto shown = std::make_shared<const Shown>(Shown{ in, workspace, report, topsOf(report->paving.tree) });
+  const auto shown = std::make_shared<const Shown>(Shown{ in, workspace, report, set, topsOf(report->paving.tree) });
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     shown_ = shown;
@@ -76,9 +76,8 @@ void SetBelow::cut()
     return;
   drawn_ = shown;
   ceiling_ = ceiling;
-  const Paving& paving = shown->report->paving;
-  const Premises premises = shown->in.premises(paving.premises.criterion);
-  const auto markers = markersOf(paving, premises, *shown->in.machine, shown->workspace, ceiling);
+  const Premises premises = shown->in.premises(shown->report->paving.premises.criterion);
+  const auto markers = markersOf(*shown->set, premises, *shown->in.machine, shown->workspace, ceiling);
   markers_.publish(inRoot(markers, shown->in, context_.frames.root().frame));
 }
 }  // namespace pkm_workspace

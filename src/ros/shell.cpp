@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace pkm_workspace
 {
@@ -22,11 +23,11 @@ enum class Content : std::uint8_t
 class Cells
 {
 public:
-  Cells(const std::vector<Box>& boxes, const std::vector<Box>& others)
+  Cells(const std::vector<Box>& boxes, const std::vector<Box>& others, const std::vector<Box>& absent)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      for (const std::vector<Box>* some : { &boxes, &others })
+      for (const std::vector<Box>* some : { &boxes, &others, &absent })
         for (const Box& box : *some)
           planes_[k].insert(planes_[k].end(), { box.lower[static_cast<int>(k)], box.upper[static_cast<int>(k)] });
       std::sort(planes_[k].begin(), planes_[k].end());
@@ -79,15 +80,16 @@ private:
 class Sheet
 {
 public:
-  Sheet(const Cells& cells, std::size_t axis, std::size_t plane, bool is_upper)
+  Sheet(const Cells& cells, std::size_t axis, std::size_t plane, bool is_upper, const Paint& paint)
     : cells_(cells), axis_(axis), plane_(plane), is_upper_(is_upper), faces_(columns() * rows())
   {
     for (std::size_t u = 0; u + 1 < columns(); ++u)
       for (std::size_t v = 0; v + 1 < rows(); ++v)
-        at(u, v) = isBorder(u, v);
+        if (isBorder(u, v))
+          at(u, v) = static_cast<std::uint8_t>(1 + paint(patchAt({ u, u + 1 }, { v, v + 1 })));
   }
 
-  /// Takes rectangles out, each as long as can be along one axis and then along the other.
+  /// Takes rectangles of one paint out, each as long as can be along one axis and then along the other.
   void cut(std::vector<Patch>& patches)
   {
     for (std::size_t v = 0; v < rows(); ++v)
@@ -97,6 +99,8 @@ public:
   }
 
 private:
+  using Range = std::pair<std::size_t, std::size_t>;  ///< of planes
+
   std::size_t columns() const { return cells_.planes((axis_ + 1) % 3); }
   std::size_t rows() const { return cells_.planes((axis_ + 2) % 3); }
   std::uint8_t& at(std::size_t u, std::size_t v) { return faces_[v * columns() + u]; }
@@ -115,26 +119,34 @@ private:
                      : before == Content::NOTHING && after == Content::BOXES;
   }
 
-  bool isFull(std::size_t first, std::size_t end, std::size_t v)
+  bool isFull(std::size_t first, std::size_t end, std::size_t v, std::uint8_t mark)
   {
     for (std::size_t u = first; u < end; ++u)
-      if (!at(u, v))
+      if (at(u, v) != mark)
         return false;
     return true;
   }
 
   Patch take(std::size_t u, std::size_t v)
   {
+    const std::uint8_t mark = at(u, v);
     std::size_t right = u;
-    while (right < columns() && at(right, v))
+    while (right < columns() && at(right, v) == mark)
       ++right;
     std::size_t top = v;
-    for (; top < rows() && isFull(u, right, top); ++top)
+    for (; top < rows() && isFull(u, right, top, mark); ++top)
       std::fill(&at(u, top), &at(u, top) + (right - u), std::uint8_t(0));
+    Patch patch = patchAt({ u, right }, { v, top });
+    patch.paint = static_cast<std::uint8_t>(mark - 1);
+    return patch;
+  }
+
+  Patch patchAt(const Range& u, const Range& v) const
+  {
     Patch patch{ static_cast<int>(axis_), is_upper_, {} };
     set(patch, axis_, plane_, plane_);
-    set(patch, (axis_ + 1) % 3, u, right);
-    set(patch, (axis_ + 2) % 3, v, top);
+    set(patch, (axis_ + 1) % 3, u.first, u.second);
+    set(patch, (axis_ + 2) % 3, v.first, v.second);
     return patch;
   }
 
@@ -148,18 +160,19 @@ private:
   std::size_t axis_;
   std::size_t plane_;
   bool is_upper_;
-  std::vector<std::uint8_t> faces_;
+  std::vector<std::uint8_t> faces_;  ///< 1 + its paint, or 0 where no face is left
 };
 }  // namespace
 
-std::vector<Patch> shellOf(const std::vector<Box>& boxes, const std::vector<Box>& others)
+std::vector<Patch> shellOf(const std::vector<Box>& boxes, const std::vector<Box>& others,
+                           const std::vector<Box>& absent, const Paint& paint)
 {
-  const Cells cells(boxes, others);
+  const Cells cells(boxes, others, absent);
   std::vector<Patch> patches;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t plane = 0; plane < cells.planes(axis); ++plane)
       for (const bool is_upper : { false, true })
-        Sheet(cells, axis, plane, is_upper).cut(patches);
+        Sheet(cells, axis, plane, is_upper, paint).cut(patches);
   return patches;
 }
 }  // namespace pkm_workspace

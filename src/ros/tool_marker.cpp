@@ -88,9 +88,11 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
   if (const auto rho = inverseKinematics(machine, tool.point))
     for (int i = 0; i < 3; ++i)
       addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
-  if (!good)
-    scene.addText("reason", tool.point - 330.0 * scene.unit() * Eigen::Vector3d::UnitZ(),
-                  tool.objection.empty() ? describe(there.binding(), machine) : tool.objection, 0.75);
+  const Eigen::Vector3d below = tool.point - 330.0 * scene.unit() * Eigen::Vector3d::UnitZ();
+  if (good)
+    scene.addText("nearest", below, "nearest limit: " + brief(there.binding(), machine), 0.75);
+  else
+    scene.addText("reason", below, tool.objection.empty() ? describe(there.binding(), machine) : tool.objection, 0.75);
   return scene.array();
 }
 

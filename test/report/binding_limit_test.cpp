@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 
 #include "pkm_workspace/region/path_check.h"
 #include "region/paths.h"
+#include "support/definition.h"
 #include "support/random.h"
 
 namespace pkm_workspace
@@ -175,6 +177,54 @@ TEST(BindingLimit, tellsValuesFromBoundsAsShortlyAsItCan)
             "the strut of 'rail_z' is 0.274 m long, too short to reach across its rail, by at most 5.6e-17 m");
   EXPECT_EQ(says(at(Kind::REACH, 2, 0.5, 0.274, false)),
             "the strut of 'rail_z' is 0.274 m long and would have to reach 0.5 m across its rail");
+}
+/// At points where a tool has to be fast, struts have to keep their angles and factors their bounds.
+TEST(BindingLimit, isToldInShortByThreeDigitsOfTheDefinition)
+{
+  Criterion criterion;
+  criterion.joint_speed_max = { 1.0, 1.1, 1.2 };
+  criterion.tool_speed_min = 0.85;
+  criterion.strut_angle_max = 0.55;
+  const Machine machine = orthoglide();
+  const PointEvaluator evaluate(machine, criterion);
+  Random random(SEED);
+  const std::regex pattern(
+      "(psi|tool speed|strut angle) (\\S+)( m/s| rad|), at (least|most) (\\S+) asked( \\(rail_[xyz]\\))?");
+  std::set<std::string> met;
+  for (int k = 0; k < 300; ++k)
+  {
+    const double x = random.uniform(-0.4, 0.4);
+    const double y = random.uniform(-0.4, 0.4);
+    const Eigen::Vector3d p(x, y, random.uniform(-0.4, 0.4));
+    const Limit& limit = evaluate(p).binding();
+    const std::string text = brief(limit, machine);
+    std::smatch parts;
+    ASSERT_TRUE(std::regex_match(text, parts, pattern)) << text;
+    met.insert(parts[1]);
+    EXPECT_EQ(parts[1] == "psi" ? "" : parts[1] == "tool speed" ? " m/s" : " rad", parts[3]) << text;
+    EXPECT_EQ(parts[1] != "psi", parts[6].matched) << text;
+    EXPECT_EQ(limit.bound, std::stod(parts[5])) << text;
+    if (parts[1] == "psi")
+      continue;
+    const auto there = standing(machine, p);
+    const double value = DrivenToolOf<double>(criterion, there->strut, there->eta).valueOf(limit.kind);
+    EXPECT_NEAR(value, std::stod(parts[2]), 0.0051 * value) << text;
+    EXPECT_EQ(value > std::stod(parts[5]), std::stod(parts[2]) > std::stod(parts[5])) << text;
+  }
+  EXPECT_EQ(3U, met.size());
+}
+
+TEST(BindingLimit, hasAShortNameForLegends)
+{
+  Criterion criterion;
+  criterion.tool_speed_min = 0.4;
+  criterion.position_error_max = 3e-5;
+  EXPECT_EQ("tool speed at least 0.4 m/s", briefly(Limit::Kind::TOOL_SPEED_MIN, criterion));
+  EXPECT_EQ("position error at most 3e-05 m", briefly(Limit::Kind::POSITION_ERROR_MAX, criterion));
+  EXPECT_EQ("psi at most 2", briefly(Limit::Kind::PSI_MAX, criterion));
+  EXPECT_EQ("joint lower limit", briefly(Limit::Kind::JOINT_LOWER, criterion));
+  EXPECT_EQ("hinge upper limit", briefly(Limit::Kind::HINGE_UPPER, criterion));
+  EXPECT_EQ("reach", briefly(Limit::Kind::REACH, criterion));
 }
 }  // namespace test
 }  // namespace pkm_workspace

@@ -54,7 +54,10 @@ inline const DrawnRails NOT_DRAWN = { Interval::empty(), Interval::empty(), Inte
 inline visualization_msgs::MarkerArray draw(const Region& region, const Paving* paving = nullptr,
                                             bool show_boundary = false)
 {
-  return markersOf(region, premisesOf(orthoglide(), Criterion()), orthoglide(), NOT_DRAWN, paving, show_boundary);
+  std::optional<SetSurface> set;
+  if (paving)
+    set.emplace(*paving, orthoglide(), SetColors::VERDICT, show_boundary);
+  return markersOf(region, premisesOf(orthoglide(), Criterion()), orthoglide(), NOT_DRAWN, set ? &*set : nullptr);
 }
 
 inline Eigen::Vector3d vectorOf(const geometry_msgs::Point& point)

@@ -93,7 +93,7 @@ Drawn drawn(const std::string& file, const std::string& shape)
   query.accuracy = 0.01 * urdf.machine.scale();
   const FramedMachine in{ "root", std::make_shared<const Machine>(urdf.machine), urdf.machine.geometryHash(), Pose() };
   const Region region = toMessage(Answer{ { query, in }, findLargestRegion(urdf.machine, query) }, ros::Time());
-  const auto array = markersOf(region, in.premises(query.criterion), urdf.machine, urdf.drawn_rails, nullptr, false);
+  const auto array = markersOf(region, in.premises(query.criterion), urdf.machine, urdf.drawn_rails, nullptr);
   return { urdf, region, array };
 }
 

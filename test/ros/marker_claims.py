@@ -88,7 +88,24 @@ def singularity(case, match):
     is_singular_near(case, xyz(balls[at - 1].pose.position), leg)
 
 
+def tool_at(case, ns):
+    """It is above the text."""
+    x, y, z = next(xyz(marker.pose.position) for marker in case.markers if marker.ns == ns)
+    return [x, y, z + 0.33 * case.machine.span]
+
+
 def tool(case, match):
-    """Of a tool that stops at the border, above the text."""
-    x, y, z = next(xyz(marker.pose.position) for marker in case.markers if marker.ns == "reason")
-    reason(case, match["reason"], [x, y, z + 0.33 * case.machine.span], slack=1e-6)
+    """Of a tool that stops at the border."""
+    reason(case, match["reason"], tool_at(case, "reason"), slack=1e-6)
+
+
+def tool_within(case, match):
+    """Three digits of a factor, on their side of its bound."""
+    place = tool_at(case, "nearest")
+    hold(case.machine.verdict(place, case.criterion) != BAD, place, "is bad")
+    if match["reason"]:
+        return reason(case, match["reason"], place, slack=1e-6)
+    k = 0 if match["side"] == "least" else -1
+    told, bound, value = float(match["psi"]), case.criterion.psi[k], case.machine.state(place).psi()[k]
+    hold(float(match.group(match.lastindex)) == bound, match[0], "but it is", bound)
+    hold(abs(told - value) <= 0.0051 * value and (told - bound) * (1 if k == 0 else -1) > 0, match[0], "but", value)

@@ -148,7 +148,7 @@ TEST(Markers, nameTheRegionOnTheSideWhereNoStrutsAre)
   Region region = regionWithSides(0.5, 0.5, 0.5);
   region.joint_ranges.resize(3, region.joint_ranges[0]);
   const auto height = [&region](const Machine& machine) {
-    const auto array = markersOf(region, premisesOf(machine, Criterion()), machine, NOT_DRAWN, nullptr, false);
+    const auto array = markersOf(region, premisesOf(machine, Criterion()), machine, NOT_DRAWN, nullptr);
     return ofType(inNamespace(array, "region"), Marker::TEXT_VIEW_FACING)[0].pose.position.z;
   };
   EXPECT_GT(height(orthoglide()), 0.25);

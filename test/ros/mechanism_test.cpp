@@ -59,6 +59,7 @@ TEST_F(Mechanism, followsTheHandleAndShowsItsMargin)
   EXPECT_GT(named(shown, "ellipsoid").color.g, named(shown, "ellipsoid").color.r) << "not green near the middle";
   EXPECT_GT(named(shown, "ellipsoid").scale.x, 0.0);
   EXPECT_EQ("", textOf(shown, "reason"));
+  EXPECT_EQ(0U, textOf(shown, "nearest").find("nearest limit: ")) << textOf(shown, "nearest");
   const auto rho = inverseKinematics(orthoglidePrototype(), NEAR_ZERO);
   const auto slider = std::find_if(shown.begin(), shown.end(), [](const Marker& marker) {
     return marker.ns == "travel" && marker.type == Marker::SPHERE;
@@ -99,6 +100,7 @@ TEST_F(Mechanism, saysWhichBoundDoesNotHold)
     return std::abs(named(found, "ellipsoid").pose.position.x - stretched.x()) < 1e-9;
   });
   EXPECT_NE(std::string::npos, textOf(shown, "reason").find("velocity transmission factor")) << textOf(shown, "reason");
+  EXPECT_EQ("", textOf(shown, "nearest"));
 }
 
 TEST_F(Mechanism, stopsWhereRailsHaveNoAssemblyAndSaysSo)

@@ -55,6 +55,8 @@ CLAIMS = {
     "box outside": (rf"{SIDES}box outside: a bad point is near\nwhich breaks {BINDS}", markers.box_outside),
     "box undecided": (rf"{SIDES}box undecided: the border of the set is too near\nnearest limit: {BINDS}", None),
     "kind": (r"serial singularity: (?P<joint>\w+)|parallel singularity", markers.singularity),
+    "tool within": (rf"nearest limit: (?:psi (?P<psi>{N}), at (?P<side>least|most) {N} asked|(?P<reason>.*))",
+                    markers.tool_within),
     "tool": (r"(?P<reason>(?:the|joint|det) .*?)", markers.tool),
     "tool elsewhere": (r"tool point \(.*\) m: .*|at or beyond a parallel singularity.*|"
                        r".*\(serial singularity\)", None),
@@ -81,7 +83,7 @@ SOURCES = {
     "workspace_markers": ("caption", ),
     "singularity_markers": ("kind", "caption"),
     "box_markers": ("box inside", "box outside", "box undecided", "caption"),
-    "tool_markers": ("tool", "tool elsewhere", "caption"),
+    "tool_markers": ("tool within", "tool", "tool elsewhere", "caption"),
 }
 INSIDE, OUTSIDE, UNDECIDED = 1, 2, 3
 VERDICTS = {"inside": INSIDE, "remark": INSIDE, "bad point": OUTSIDE, "singular point": OUTSIDE, "nothing": UNDECIDED,

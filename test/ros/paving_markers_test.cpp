@@ -79,7 +79,8 @@ TEST(Markers, drawAPavingByItselfByVerdict)
   workspace.header.frame_id = "base_link";
   Criterion criterion;
   criterion.psi_max = 3.0;
-  const auto array = markersOf(paving, premisesOf(orthoglide(), criterion), orthoglide(), workspace);
+  const auto array = markersOf(SetSurface(paving, orthoglide(), SetColors::VERDICT, true),
+                               premisesOf(orthoglide(), criterion), orthoglide(), workspace);
   EXPECT_EQ(Marker::DELETEALL, array.markers.front().action);
   EXPECT_EQ(1U, inNamespace(array, "inside").size());
   const auto boundary = inNamespace(array, "boundary");
@@ -98,7 +99,8 @@ TEST(Markers, drawAncestorsOfBoxesThatAreTooMany)
   const Paving paving = pave(orthoglide(), query);
   ASSERT_GT(paving.tree.count(CellState::INSIDE) + paving.tree.count(CellState::BOUNDARY), 20000);
   std::size_t triangles = 0;
-  const auto array = markersOf(paving, paving.premises, orthoglide(), Workspace());
+  const auto array = markersOf(SetSurface(paving, orthoglide(), SetColors::CONDITION, true), paving.premises,
+                               orthoglide(), Workspace());
   for (const Marker& marker : array.markers)
     triangles += marker.points.size() / 3;
   EXPECT_LE(triangles, 20000U) << "rviz would draw fewer than ten pictures a second";

@@ -207,8 +207,8 @@ class Questions:
             for _ in range(3):
                 place = node.near(self.rng, share)
                 self.texts(node, "box_markers", node.box_at(place), node.region.hypotheses)
-        for _ in range(6):
-            markers = node.tool_to(node.near(self.rng, 1.5))
+        for share in (0.1, *[1.5] * 6):
+            markers = node.tool_to(node.near(self.rng, share))
             self.texts(node, "tool_markers", markers, node.region.hypotheses)
 
     def criteria(self, node):

@@ -30,6 +30,8 @@ COLORS = {
     "joint ranges": lambda r, g, b: (r > 170) & (r - b > 120) & (g > 0.4 * r) & (g < 0.62 * r),
     "set": lambda r, g, b: (g - r >= 6) & (g - b >= 4) & (r > 100) & (g > 140),
     "border of the set": lambda r, g, b: (r - b >= 12) & (r >= g) & (g > b + 4) & (r > 190),
+    "end by psi_min": lambda r, g, b: (r - g >= 15) & (g - b >= 15) & (r > 170),
+    "end by psi_max": lambda r, g, b: (r - g >= 12) & (b - g >= 5) & (r > 150),
     "labels": lambda r, g, b: (r == g) & (g == b) & (r > 20) & (r < 45),
     "rails": lambda r, g, b: (b - r > 5) & (b - r < 15) & (g >= r) & (b >= g) & (r > 40) & (r < 135),
     "sliders": lambda r, g, b: (b > 120) & (b < 185) & (r < 0.4 * b) & (g > 0.45 * b) & (g < 0.6 * b),

@@ -4,6 +4,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "node_client.h"
@@ -70,6 +72,28 @@ TEST(Topics, tellInOnePanelWhatThePicturesHoldFor)
     panel = text();
   EXPECT_EQ(0U, panel.find(region.hypotheses.machine + ", geometry " + region.hypotheses.geometry_hash.substr(0, 8)));
   EXPECT_NE(std::string::npos, panel.find("region: dextrous with psi in [0.5, 2]")) << panel;
+}
+
+/// Hyphens in the colour, then words.
+TEST(Topics, tellInThePanelWhatTheColorsOfTheSetStandFor)
+{
+  compute(RegionRequest());
+  const auto array = receive<visualization_msgs::MarkerArray>(NODE + "/hypotheses_markers");
+  std::map<std::string, std_msgs::ColorRGBA> legend;
+  for (std::size_t k = 1; k + 1 < array->markers.size(); ++k)
+    if (array->markers[k].ns == "legend" && array->markers[k].text.front() == '-')
+      legend[array->markers[k + 1].text] = array->markers[k].color;
+  ASSERT_EQ(2U, legend.size());
+  ASSERT_EQ(1U, legend.count("psi at least 0.5"));
+  ASSERT_EQ(1U, legend.count("psi at most 2"));
+  std::set<std::string> drawn;
+  for (const visualization_msgs::Marker& marker : receive<visualization_msgs::MarkerArray>(NODE + "/markers")->markers)
+    if (marker.ns == "paving_inside")
+      for (const std_msgs::ColorRGBA& color : marker.colors)
+        for (const auto& [text, full] : legend)
+          if (std::abs(color.r * full.g - color.g * full.r) + std::abs(color.g * full.b - color.b * full.g) < 1e-4)
+            drawn.insert(text);
+  EXPECT_EQ(2U, drawn.size());
 }
 
 TEST(Topics, showTheMachineAtTheCenterOfTheRegion)

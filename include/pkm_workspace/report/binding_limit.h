@@ -15,6 +15,13 @@ namespace pkm_workspace
 /// @param machine whose legs the limit counts
 std::string describe(const Limit& limit, const Machine& machine);
 
+/// The same in short, for pictures: "tool speed 0.412 m/s, at least 0.4 asked (rail_x)". As describe() where three
+/// digits do not tell value and bound apart, and where nothing is asked for by a number.
+std::string brief(const Limit& limit, const Machine& machine);
+
+/// A condition as legends have it: "tool speed at least 0.4 m/s", "joint upper limit".
+std::string briefly(Limit::Kind kind, const Criterion& criterion);
+
 /// What of the criterion a point violates, one phrase each. Empty for a good point, and for a bad one that enclosures
 /// do not tell from a good one.
 std::vector<std::string> violations(const PointEvaluation& there, const Machine& machine);

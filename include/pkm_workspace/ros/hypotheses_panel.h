@@ -8,10 +8,12 @@
 #include <mutex>
 #include <string>
 
+#include "pkm_workspace/ros/legend.h"
+
 namespace pkm_workspace
 {
 /// One text in rviz for what its pictures hold for, ~hypotheses_markers, latched: below the machine, so that it covers
-/// nothing, and the display of its own can be switched off. Thread-safe.
+/// nothing, and the display of its own can be switched off; below it the legend of their colours. Thread-safe.
 class HypothesesPanel
 {
 public:
@@ -22,7 +24,8 @@ public:
   void moveTo(const Eigen::Vector3d& place);
   /// @param picture "region", "set"
   /// @param caption what it holds for now: a line about the machine, then one about the criterion
-  void tell(const std::string& picture, const std::string& caption);
+  /// @param legend what its colours stand for
+  void tell(const std::string& picture, const std::string& caption, const Legend& legend = {});
 
 private:
   void show() const;
@@ -32,6 +35,12 @@ private:
   ros::Publisher publisher_;
   std::mutex mutex_;
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
-  std::map<std::string, std::string> captions_;
+  struct Told
+  {
+    std::string caption;
+    Legend legend;
+  };
+  Legend legend() const;
+  std::map<std::string, Told> told_;
 };
 }  // namespace pkm_workspace

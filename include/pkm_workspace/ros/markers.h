@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "pkm_workspace/machine/machine.h"
-#include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/ros/frames.h"
+#include "pkm_workspace/ros/set_surface.h"
 
 namespace pkm_workspace
 {
@@ -23,15 +23,15 @@ using DrawnRails = std::array<Interval, 3>;
 /// "joint_ranges" (a bar from slider point to slider point along each rail, a label with its stroke). What it holds for
 /// is told by the text of the marker that clears.
 /// @param premises what is proved of it
-/// @param paving of the set that the region lies in, or nullptr
-/// @param show_boundary whether its undecided boxes are shown too
+/// @param set that the region lies in, or nullptr
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
-                                          const DrawnRails& rails, const Paving* paving, bool show_boundary);
+                                          const DrawnRails& rails, const SetSurface* set);
 
-/// What rviz shows of a paving by itself, in namespaces "inside" and "boundary" (all that is undecided).
+/// What rviz shows of a set by itself, in namespaces "inside" and "boundary" (all that is undecided).
 /// @param premises what is proved of it, in the frame of the machine
+/// @param workspace the message about it
 /// @param ceiling what reaches above it is left out [m]; a flat set that is the same along z is lowered to it
-visualization_msgs::MarkerArray markersOf(const Paving& paving, const Premises& premises, const Machine& machine,
+visualization_msgs::MarkerArray markersOf(const SetSurface& set, const Premises& premises, const Machine& machine,
                                           const Workspace& workspace,
                                           double ceiling = std::numeric_limits<double>::infinity());
 

@@ -11,6 +11,7 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/region_wish.h"
+#include "pkm_workspace/ros/set_surface.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -50,6 +51,7 @@ struct Parameters
   bool publish_joint_states = true;                 ///< whether the model stands at the region's center
   bool show_paving = true;                          ///< whether the markers show the set that the region lies in
   bool show_boundary = false;                       ///< whether they show its undecided boxes too
+  SetColors set_colors = SetColors::CONDITION;      ///< ~set_colors: what colours of a set stand for
   double paving_resolution = 0.0;  ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.

@@ -10,6 +10,7 @@
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
+#include "pkm_workspace/ros/set_surface.h"
 #include "pkm_workspace/ros/tool.h"
 
 namespace pkm_workspace
@@ -35,7 +36,7 @@ private:
   static Box pavedBox(const RegionQuestion& question, const Region& region);
   PavingQuery pavingQuery(const RegionQuestion& question, const Region& region) const;
   /// The set that the region lies in; nothing where it is not to be shown or cannot be bounded.
-  const Paving* pavingFor(const RegionQuestion& question, const Region& region, const StopFlag& stop);
+  const SetSurface* setFor(const RegionQuestion& question, const Region& region, const StopFlag& stop);
 
   NodeContext& context_;
   Tool* const tool_;
@@ -43,6 +44,7 @@ private:
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;
-  std::optional<Paving> paving_;  ///< the last one
+  std::optional<Paving> paving_;   ///< the last one
+  std::optional<SetSurface> set_;  ///< its surface
 };
 }  // namespace pkm_workspace

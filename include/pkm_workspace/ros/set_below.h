@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pkm_workspace/ros/interaction.h"
+#include "pkm_workspace/ros/set_surface.h"
 #include "pkm_workspace/tasks/paving.h"
 
 namespace pkm_workspace
@@ -22,7 +23,8 @@ public:
   SetBelow(NodeContext& context, Interaction& interaction);
 
   /// @param workspace without its boxes
-  void show(const FramedMachine& in, const Workspace& workspace, const std::shared_ptr<const PavingReport>& report);
+  void show(const FramedMachine& in, const Workspace& workspace, const std::shared_ptr<const PavingReport>& report,
+            const std::shared_ptr<const SetSurface>& set);
 
 private:
   struct Shown
@@ -30,6 +32,7 @@ private:
     FramedMachine in;
     Workspace workspace;
     std::shared_ptr<const PavingReport> report;
+    std::shared_ptr<const SetSurface> set;
     std::vector<double> tops;  ///< of boxes, ascending [m]
   };
 

@@ -13,7 +13,8 @@ namespace pkm_workspace
 {
 /// What rviz shows of a machine with its tool at a point, in the frame of its root link: namespaces "ellipsoid" (tool
 /// velocities for joint velocities of 0.1 m/s: green well within the criterion, yellow near its border, red beyond),
-/// "travel" (along each rail its joint range and where it stands) and "reason" (why it is red).
+/// "travel" (along each rail its joint range and where it stands), "nearest" (the condition that is nearest to its
+/// limit) and "reason" (why it is red).
 visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criterion& criterion, const ToolState& tool,
                                             const std::string& frame);
 
