@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 #include "command.h"
 #include "common_options.h"
+#include "named_machines.h"
 #include "output.h"
 #include "pkm_workspace/import/machine_draft.h"
 #include "pkm_workspace/import/machine_file.h"
-#include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 
@@ -18,48 +17,10 @@ namespace cli
 {
 namespace
 {
-/// What may be given of a machine of the catalogue; what is not given follows from the rest.
-struct Dimensions
+/// Whether any machine may have it.
+bool isDrive(const DraftKey& key)
 {
-  double length = 1.0;                    ///< L [m]
-  std::optional<double> rail_radius;      ///< R [m]
-  std::optional<double> platform_radius;  ///< r [m]
-  std::optional<double> lambda;           ///< R / L = 7/13 + lambda
-};
-
-Machine makeUranesx(const Dimensions& given)
-{
-  const Interval length(given.length);
-  const Interval by_lambda = (Interval(7.0) / Interval(13.0) + Interval(given.lambda.value_or(0.0))) * length;
-  const Interval by_length = Interval(3.0) / Interval(26.0) * length;
-  return uranesx(given.rail_radius ? Interval(*given.rail_radius) : by_lambda,
-                 given.platform_radius ? Interval(*given.platform_radius) : by_length, given.length);
-}
-
-struct NamedMachine
-{
-  const char* name;
-  Words dimensions;  ///< the options that it knows
-  Machine (*make)(const Dimensions& given);
-};
-
-const NamedMachine MACHINES[] = {
-  { "orthoglide", { "length" }, [](const Dimensions& given) { return orthoglide(given.length); } },
-  { "orthoglide_prototype", {}, [](const Dimensions&) { return orthoglidePrototype(); } },
-  { "uranesx", { "length", "rail-radius", "platform-radius", "lambda" }, makeUranesx },
-};
-
-Words machineNames()
-{
-  Words names;
-  for (const NamedMachine& machine : MACHINES)
-    names.push_back(machine.name);
-  return names;
-}
-
-const NamedMachine& find(const std::string& name)
-{
-  return *std::find_if(std::begin(MACHINES), std::end(MACHINES), [&](const NamedMachine& m) { return m.name == name; });
+  return key.kind == DraftKey::Kind::SPEED || key.kind == DraftKey::Kind::FORCE;
 }
 
 /// "rail-radius" of "rail_radius".
@@ -75,6 +36,8 @@ Quantity quantityOf(const DraftKey& key)
   const std::string name = key.name;
   if (name == "length" || name == "rail_radius" || name == "platform_radius")
     return LENGTH_POSITIVE;
+  if (isDrive(key))
+    return { key.kind == DraftKey::Kind::SPEED ? "m/s" : "N", 0.0, false };
   return key.kind == DraftKey::Kind::LENGTH ? LENGTH : Quantity{ key.kind == DraftKey::Kind::ANGLE ? "degrees" : "" };
 }
 
@@ -163,8 +126,16 @@ private:
         if (!is_name || words.size() == 3)
           draft_.setLeg(leg, key, { begin, begin + static_cast<std::ptrdiff_t>(key.size) }, "--" + name);
       }
-      setDimension(key.name, words);
+      isDrive(key) ? setDrives(key, words) : setDimension(key.name, words);
     });
+  }
+
+  void setDrives(const DraftKey& key, const Words& words)
+  {
+    const std::vector<double> numbers = readNumbers(words, quantityOf(key));
+    auto& drives = key.kind == DraftKey::Kind::SPEED ? given_.speeds : given_.efforts;
+    for (std::size_t leg = 0; leg < 3; ++leg)
+      drives[leg] = numbers[numbers.size() == 1 ? 0 : leg];
   }
 
   /// The same number of a machine of the catalogue.
@@ -227,7 +198,10 @@ private:
 
   void makeNamed(const Options& options, Problems& problems)
   {
-    const Words& known = find(machine_).dimensions;
+    Words known = namedMachine(machine_).dimensions;
+    for (const DraftKey& key : legKeys())
+      if (isDrive(key))
+        known.push_back(optionName(key));
     for (const std::string& name : allNames())
       if (options.given(name) && name != "machine" && name != machine_ &&
           std::find(known.begin(), known.end(), name) == known.end())
@@ -235,7 +209,7 @@ private:
     if (differ_)
       problems.push_back("the legs of this machine are alike; give --linear-delta for legs that differ");
     if (problems.empty())
-      tryTo([this] { urdf_ = writeUrdf(find(machine_).make(given_)); }, problems);
+      tryTo([this] { urdf_ = writeUrdf(makeDriven(namedMachine(machine_), given_)); }, problems);
   }
 
   void makeFromFile(const Options& options, Problems& problems)

@@ -135,6 +135,8 @@ void readTower(std::size_t index, Reading& reading, LinearDelta& delta)
 
 std::string klipperReason(const Entry& entry)
 {
+  if (entry.key == "printer max_velocity" || entry.key == "printer max_z_velocity")
+    return "a limit of the tool's speed, not of a carriage's";
   if (startsWith(entry.key, "printer "))
     return "speeds and other settings are no part of the geometry";
   const std::string key = entry.key.substr(entry.key.find(' ') + 1);

@@ -79,6 +79,7 @@ LegDescription describe(const Tower& tower, const LinearDelta& delta)
   leg.radius = tower.radius->nearest();
   leg.height = tower.height.nearest();
   leg.length = tower.arm->nearest();
+  leg.speed = tower.speed.value_or(0).nearest();
   leg.lower = tower.lower ? tower.lower->nearest() : lowerLimit(tower, delta);
   leg.upper =
       tower.upper

@@ -23,7 +23,8 @@ struct Tower
   Decimal height;               ///< z of the carriage at joint value 0
   std::optional<Decimal> lower;  ///< joint limits, where the controller has any
   std::optional<Decimal> upper;
-  SourcePlace place;  ///< of its arm, for problems
+  std::optional<Decimal> speed;  ///< the largest of the carriage, where the controller has one; 0 as well for none
+  SourcePlace place;             ///< of its arm, for problems
 };
 
 /// A controller's model of a linear delta: q_i = z + sqrt(arm_i^2 - |(x, y) - tower_i|^2) - height_i, the same in all

@@ -26,9 +26,12 @@ struct Units
 {
   Quantity length;
   Quantity joint;
+  Quantity speed;
 };
-constexpr Units METRIC = { MILLIMETRES, SIGNED_MILLIMETRES };
-constexpr Units IMPERIAL = { { "inches", 1, 4000, 254, -4, "m" }, { "inches", -4000, 4000, 254, -4, "m" } };
+constexpr Units METRIC = { MILLIMETRES, SIGNED_MILLIMETRES, { "mm/s", 0, 100000, 1, -3, "m/s" } };
+constexpr Units IMPERIAL = { { "inches", 1, 4000, 254, -4, "m" },
+                             { "inches", -4000, 4000, 254, -4, "m" },
+                             { "inches/s", 0, 4000, 254, -4, "m/s" } };
 
 std::string firstWord(const std::string& text)
 {
@@ -142,6 +145,7 @@ void readJoint(std::size_t index, const Units& units, Reading& reading, Tower& t
   tower.angle = Decimal(LINUXCNC_ANGLES[index]);
   tower.lower = reading.needed(section + " MIN_LIMIT", "lower limit of joint " + number, units.joint, remedy);
   tower.upper = reading.needed(section + " MAX_LIMIT", "upper limit of joint " + number, units.joint, remedy);
+  tower.speed = reading.value(section + " MAX_VELOCITY", "largest speed of joint " + number, units.speed);
   tower.height = -reading.value(PINS + "J" + number + "off", "offset of joint " + number, units.joint).value_or(0);
   if (const Entry* const limit = reading.find(section + " MAX_LIMIT"))
     tower.place = limit->place;
@@ -172,7 +176,7 @@ std::string linuxcncReason(const Entry& entry)
     return "read for the pins of lineardeltakins only";
   const bool is_tool = startsWith(entry.key, "AXIS_") && entry.key.find("_LIMIT") != std::string::npos;
   return is_tool ? "a limit of the tool, not of a carriage"
-                 : "speeds, homing and further joints are no part of the geometry";
+                 : "accelerations, homing and further joints are no part of the machine";
 }
 }  // namespace
 

@@ -47,6 +47,8 @@ const std::vector<DraftKey>& legKeys()
       "joint value of the slider when the machine is homed, with home_height; without it, 0" },
     { "home_height", Kind::LENGTH, 1, "Z",
       "height of the slider then; without it, the tool touches z = 0 with all sliders at the lower end" },
+    { "joint_speed_max", Kind::SPEED, 1, "V", "largest speed of its slider; without it, none is known" },
+    { "joint_effort_max", Kind::FORCE, 1, "F", "largest force on its slider; without it, none is known" },
     { "working_mode", Kind::SIGN, 1, "-1|1",
       "-1: the strut hangs below its slider, 1: it stands on it; without it, -1" },
   };
@@ -123,6 +125,8 @@ public:
     const auto travel = find(values, "travel", Kind::LENGTH).value_or(std::vector<double>{ 0.0, 1.0 });
     leg.lower = travel[0];
     leg.upper = travel[1];
+    leg.speed = one(values, "joint_speed_max", Kind::SPEED, leg.speed);
+    leg.effort = one(values, "joint_effort_max", Kind::FORCE, leg.effort);
     leg.working_mode = one(values, "working_mode", Kind::SIGN, -1.0) > 0.0 ? 1 : -1;
     putHome(values, i, leg);
     checkRadii(values, i);
@@ -170,17 +174,25 @@ private:
     leg.angle = one(values, "angle", Kind::ANGLE, usual);
   }
 
+  std::string expected(Kind kind) const
+  {
+    if (kind == Kind::SIGN)
+      return "-1 or 1";
+    if (kind == Kind::SPEED || kind == Kind::FORCE)
+      return kind == Kind::SPEED ? "a positive number [m/s]" : "a positive number [N]";
+    return "a number [" + (kind == Kind::LENGTH ? draft_.unit : "degrees") + "]";
+  }
+
   double number(const std::string& text, const std::string& name, Kind kind, const std::string& place)
   {
     const auto decimal = firmware::Decimal::parse(text);
-    const bool is_length = kind == Kind::LENGTH;
-    const std::string unit = is_length ? draft_.unit : "degrees";
-    if (!decimal || (kind == Kind::SIGN && std::abs(decimal->nearest()) != 1.0))
-      complain(problems, place, ": ", name, " = '", shortened(text, 60), "', expected ",
-               kind == Kind::SIGN ? "-1 or 1" : "a number [" + unit + "]");
+    const bool is_drive = kind == Kind::SPEED || kind == Kind::FORCE;
+    if (!decimal || (kind == Kind::SIGN && std::abs(decimal->nearest()) != 1.0) ||
+        (is_drive && !(decimal->nearest() > 0.0)))
+      complain(problems, place, ": ", name, " = '", shortened(text, 60), "', expected ", expected(kind));
     if (!decimal)
       return 0.0;
-    if (is_length)
+    if (kind == Kind::LENGTH)
       return draft_.unit == "mm" ? (*decimal * firmware::Decimal(1, -3)).nearest() : decimal->nearest();
     return kind == Kind::ANGLE ? decimal->nearest() * DEGREE : decimal->nearest();
   }

@@ -197,6 +197,8 @@ all_legs:
   # lean: [0, 0]             # of the rail from the vertical: outwards, sideways
   # slider_joint: [0, 0, 0]  # of the strut, seen from the rail at rail_radius: outwards, sideways, up
   # platform_joint: [0, 0, 0]  # of the strut, seen from its place on the circle of platform_radius
+  # joint_speed_max: 0.5     # largest speed of the slider [m/s]; without it none is known
+  # joint_effort_max: 100    # largest force on the slider [N]; without it none is known
   # working_mode: -1         # -1: the strut hangs below its slider, 1: it stands on it
 
 # What each has of its own; every key of all_legs may stand here, too.

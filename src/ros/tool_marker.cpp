@@ -88,7 +88,7 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
   if (const auto rho = inverseKinematics(machine, tool.point))
     for (int i = 0; i < 3; ++i)
       addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
-  const Eigen::Vector3d below = tool.point - 330.0 * scene.unit() * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d below = tool.point - 400.0 * scene.unit() * Eigen::Vector3d::UnitZ();
   if (good)
     scene.addText("nearest", below, "nearest limit: " + brief(there.binding(), machine), 0.75);
   else

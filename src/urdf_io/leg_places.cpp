@@ -100,6 +100,8 @@ LegNumbers numbersOf(const LegDescription& leg, const Vector3d& zero, const Vect
   numbers.axis = axes * railDirection(leg);
   numbers.platform = axes * leg.platform_joint - tool;
   numbers.strut = zero + numbers.platform - numbers.origin;
+  numbers.speed = leg.speed;
+  numbers.effort = leg.effort;
   numbers.lower = leg.lower;
   numbers.upper = leg.upper;
   numbers.drawn = { leg.lower, leg.upper };

@@ -122,6 +122,11 @@ void setDrawnTravel(LegNumbers& numbers)
                     std::min(numbers.upper, std::max(-0.4 * forward, 0.7 * forward) * length) };
 }
 
+double knownOr0(double limit)
+{
+  return std::isfinite(limit) ? limit : 0.0;
+}
+
 void setHinges(LegNumbers& numbers)
 {
   const Vector3d along = numbers.strut.normalized();
@@ -165,6 +170,8 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
     const SlidingStrut& leg = slidingStrut(machine.leg(i));
     LegNumbers& numbers = all[static_cast<std::size_t>(i)];
     numbers.joint = machine.leg(i).joint;
+    numbers.speed = knownOr0(machine.leg(i).speed);
+    numbers.effort = knownOr0(machine.leg(i).effort);
     numbers.origin = mid(leg.origin);
     numbers.platform = mid(leg.platform);
     numbers.axis = axisNumbers(machine, i, all);

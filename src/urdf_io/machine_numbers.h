@@ -22,6 +22,8 @@ struct LegNumbers
   Eigen::Vector3d strut;     ///< A to B at joint values 0 [m]
   double lower;              ///< joint limits [m]
   double upper;
+  double speed;                     ///< of the slider [m/s]; 0 where none is known, as a URDF has it
+  double effort;                    ///< on the slider [N]; 0 where none is known
   std::pair<double, double> drawn;  ///< the part of its travel that the rail is drawn for [m]
   Eigen::Vector3d revolute;  ///< axis of the first passive joint: perpendicular to the strut, and to the rail if it can
   Eigen::Vector3d parallelogram;  ///< axis of the second one: perpendicular to the first and to the strut

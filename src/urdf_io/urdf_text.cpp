@@ -131,8 +131,8 @@ void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
   if (joint.type == "prismatic")
     element("limit", { { "lower", numberText(joint.limits.first) },
                        { "upper", numberText(joint.limits.second) },
-                       { "effort", "1000" },
-                       { "velocity", "1" } });
+                       { "effort", numberText(joint.effort) },
+                       { "velocity", numberText(joint.speed) } });
   printer_.CloseElement();
   const Matrix3d parent = axes_.emplace(joint.parent, Matrix3d::Identity()).first->second;
   axes_.emplace(joint.child, parent * turn(rpy));

@@ -29,6 +29,8 @@ struct JointText
   std::string master = "";                          ///< whom it follows
   double multiplier = 1.0;                          ///< in doing so
   std::pair<double, double> limits = { 0.0, 0.0 };  ///< of a prismatic joint [m]
+  double speed = 0.0;                               ///< of a prismatic joint [m/s]; 0 where none is known
+  double effort = 0.0;                              ///< on a prismatic joint [N]; 0 where none is known
 };
 
 /// Writes the elements of a URDF, below a link "base_link" with the machine's axes. Numbers of joints read back as the

@@ -34,6 +34,8 @@ public:
     JointText rail{ leg_.joint,         "prismatic", at.tower ? numbered("tower") : "base_link",
                     numbered("slider"), at.rail,     at.rail_axis };
     rail.limits = { leg_.lower, leg_.upper };
+    rail.speed = leg_.speed;
+    rail.effort = leg_.effort;
     text_.branch(rail, looks_.slider);
     text_.branch(hinge("revolute", "slider", "knuckle", at.revolute, at.revolute_axis), { looks_.short_bar });
     text_.branch(hinge("parallelogram", "knuckle", "strut", at.parallelogram, at.parallelogram_axis));

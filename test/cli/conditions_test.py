@@ -11,15 +11,15 @@ from pkm import ORTHOGLIDE, URANESX, CommandTest, run
 
 REACHABLE = ("--set", "reachable")
 EACH = {
-    "tool_speed_min": ("--tool-speed-min", 0.85),
-    "tool_force_min": ("--tool-force-min", 600),
+    "tool_speed_min": ("--tool-speed-min", 1.02),
+    "tool_force_min": ("--tool-force-min", 168),
     "stiffness_min": ("--stiffness-min", 3e5, "--joint-stiffness", 1e6, "--strut-stiffness", 1e7),
     "position_error_max": ("--position-error-max", 3e-5, "--joint-error-max", 1e-5),
     "strut_angle_max": ("--strut-angle-max", 0.6),
     "ball_tilt_max": ("--ball-tilt-max", 0.5),
 }
 EDGES = {  # of the largest cube, where the struts may be off their rails by an angle: sqrt(2) times its sine [m]
-    "tool_speed_min": math.sqrt(2 - 2 * 0.85**2),
+    "tool_speed_min": math.sqrt(2 - 2 * (1.02 / 1.2)**2),  # by joints up to 1.2 m/s
     "strut_angle_max": math.sqrt(2) * math.sin(0.6),
     "ball_tilt_max": math.sqrt(2) * math.sin(0.5),
 }
@@ -63,16 +63,16 @@ class Conditions(CommandTest):
         self.assertEqual(answer["tool_speed_min"], 0.5)
         self.assertEqual(answer["joint_speed_max"], [1, 2, 3])
         answer = self.answer("largest", "--urdf", ORTHOGLIDE, *EACH["tool_force_min"])
-        self.assertEqual(answer["joint_effort_max"], [1000, 1000, 1000], "of the URDF")
+        self.assertEqual(answer["joint_effort_max"], [280, 280, 280], "of the URDF")
         self.assertNotIn("joint_stiffness", answer)
         text = self.text("largest", "--urdf", ORTHOGLIDE, *EACH["stiffness_min"])
         self.assertIn("with a stiffness of at least 300000 N/m in every direction by drives of 1000000 N/m and struts "
                       "of 10000000 N/m", re.sub(r"\s+", " ", text))
 
     def test_points_tell_the_leg_that_binds(self):
-        text = self.text("evaluate", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", 0.8, "--point", 0, 0, 0.7)
+        text = self.text("evaluate", "--urdf", ORTHOGLIDE, *REACHABLE, "--tool-speed-min", 0.96, "--point", 0, 0, 0.7)
         self.assertRegex(re.sub(r"\s+", " ", text), r"the speed of the tool in every direction, as 'rail_[xy]' has it, "
-                         r"is 0\.71414\d m/s, below 0\.8 m/s")
+                         r"is 0\.85697\d m/s, below 0\.96 m/s")
 
     def test_hinges_hold_where_asked_for(self):
         urdf = self.hinged("revolute_1", -0.4, 0.5)
@@ -121,7 +121,7 @@ class Conditions(CommandTest):
     def test_families_take_the_lesser_motors(self):
         answer = self.answer("study", "--urdf", ORTHOGLIDE, "--urdf", ORTHOGLIDE, "--range", 0, 1, *REACHABLE,
                              "--tool-speed-min", 0.85, "--accuracy", 0.05)
-        self.assertEqual(answer["joint_speed_max"], [1, 1, 1])
+        self.assertEqual(answer["joint_speed_max"], [1.2, 1.2, 1.2])
 
     def test_a_urdf_without_speeds_needs_them(self):
         tree = ElementTree.parse(ORTHOGLIDE)

@@ -43,7 +43,8 @@ OPTIONS = {
     "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
                       "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
-                      "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode", "tool",
+                      "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode",
+                      "joint-speed-max", "joint-effort-max", "tool",
                       "mount", "mount-rpy", "assembly"},
 }
 

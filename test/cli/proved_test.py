@@ -63,8 +63,9 @@ class Proved(CommandTest):
         self.rng = random.Random(SEED)
         length = self.rng.uniform(0.2, 2)
         lam = self.rng.uniform(0, 0.1)
-        self.urdfs = {"orthoglide": self.text("urdf", "--machine", "orthoglide", "--length", length),
-                      "uranesx": self.text("urdf", "--machine", "uranesx", "--lambda", lam),
+        drives = ("--joint-speed-max", 1, "--joint-effort-max", 1000)
+        self.urdfs = {"orthoglide": self.text("urdf", "--machine", "orthoglide", "--length", length, *drives),
+                      "uranesx": self.text("urdf", "--machine", "uranesx", "--lambda", lam, *drives),
                       "crooked": crooked(self.rng), "crooked too": crooked(self.rng)}
         self.machines = {name: Machine(text) for name, text in self.urdfs.items()}
         self.files = {name: self.file(name + ".urdf", text) for name, text in self.urdfs.items()}

@@ -5,15 +5,42 @@
 import json
 import math
 import re
+import re
 import unittest
+from xml.etree import ElementTree
 
 from pkm import URDF, CommandTest, run
 
 
 class Urdf(CommandTest):
     def test_machines_of_the_repository_are_the_catalogue_s(self):
-        for name in ("orthoglide", "orthoglide_prototype", "uranesx"):
-            self.assertEqual(self.text("urdf", "--machine", name), (URDF / f"{name}.urdf").read_text(encoding="utf-8"))
+        for name, speed, effort in (("orthoglide", 1.2, 280), ("orthoglide_prototype", 1.2, 280),
+                                    ("uranesx", 1.6, 2000)):
+            text = self.text("urdf", "--machine", name, "--joint-speed-max", speed, "--joint-effort-max", effort)
+            file = (URDF / f"{name}.urdf").read_text(encoding="utf-8")
+            self.assertEqual(text, re.sub("<!--.*?-->\n", "", file))
+
+    def drives(self, *words):
+        root = ElementTree.fromstring(self.text("urdf", *words))
+        return [[float(limit.get(name)) for name in ("velocity", "effort")] for limit in root.iter("limit")]
+
+    def test_drives_are_those_that_are_given(self):
+        delta = ("--rail-radius", 0.13, "--length", 0.269, "--travel", 0, 0.35)
+        for words in (delta, ("--machine", "uranesx")):
+            self.assertEqual(self.drives(*words), [[0, 0]] * 3)
+            self.assertEqual(self.drives(*words, "--joint-speed-max", 0.5, "--joint-effort-max", 1, 2, 3),
+                             [[0.5, 1], [0.5, 2], [0.5, 3]])
+            for value in (0, -1, "nan"):
+                for option, unit in (("--joint-speed-max", "m/s"), ("--joint-effort-max", "N")):
+                    process = run("urdf", *words, option, value)
+                    self.assertEqual(process.returncode, 2)
+                    self.assertRegex(process.stderr, rf"{option} {value}: .*{unit}")
+        file = self.file("machine.yaml", "name: m\nunit: mm\nall_legs: {rail_radius: 130, length: 269, "
+                                         "travel: [0, 350], joint_speed_max: 0.5}\n")
+        self.assertEqual(self.drives("--from", file), [[0.5, 0]] * 3)
+        wrong = self.file("wrong.yaml", "all_legs: {rail_radius: 0.13, length: 0.269, travel: [0, 0.35], "
+                                        "joint_effort_max: 0}\n")
+        self.assertIn("joint_effort_max = '0', expected a positive number [N]", run("urdf", "--from", wrong).stderr)
 
     def test_output_file(self):
         path = self.folder / "machine.urdf"

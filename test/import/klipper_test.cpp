@@ -82,7 +82,8 @@ TEST(Klipper, TellsWhatItTookAndWhatNot)
   EXPECT_EQ(meaningOf(machine, "stepper_b arm_length"), "strut of stepper_b: 0.2688125 m");
   EXPECT_EQ(meaningOf(machine, "stepper_c angle"), "direction of stepper_c: 89.7 degrees");
   EXPECT_EQ(meaningOf(machine, "printer minimum_z_position"), "lowest z of the tool: -0.002 m");
-  EXPECT_NE(reasonFor(machine, "printer max_velocity"), "");
+  EXPECT_EQ(reasonFor(machine, "printer max_velocity"), "a limit of the tool's speed, not of a carriage's");
+  EXPECT_EQ(machine.machine.legs[0].speed, 0.0);
   EXPECT_NE(reasonFor(machine, "stepper_a homing_speed"), "");
   EXPECT_EQ(reasonFor(machine, "[extruder]"), "no part of the geometry (2 values)");
   EXPECT_NE(reasonFor(machine, "[gcode_macro PARK]"), "");

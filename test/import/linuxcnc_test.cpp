@@ -72,6 +72,17 @@ TEST(LinuxCnc, IsTheFirmware_sMachine)
   }
 }
 
+/// [JOINT_n] MAX_VELOCITY is the joint's, in units of the machine for each second; its manual has it so.
+TEST(LinuxCnc, TakesTheSpeedsOfTheCarriages)
+{
+  const std::string with = edited(ini(), "[JOINT_1]\n", "[JOINT_1]\nMAX_VELOCITY = 152.4\n");
+  const FirmwareMachine machine = importedWith(with, sample("ldelta.hal"));
+  EXPECT_EQ(machine.machine.legs[0].speed, 0.0) << "none is known";
+  EXPECT_EQ(machine.machine.legs[1].speed, 0.1524);
+  EXPECT_EQ(meaningOf(machine, "JOINT_1 MAX_VELOCITY"), "largest speed of joint 1: 0.1524 m/s");
+  expectRefusedWith(edited(with, "152.4", "-1"), sample("ldelta.hal"), "JOINT_1 MAX_VELOCITY = -?.*-1.*mm/s");
+}
+
 TEST(LinuxCnc, InchesAreExact)
 {
   std::string text = edited(ini(), "LINEAR_UNITS = mm", "LINEAR_UNITS = inch");

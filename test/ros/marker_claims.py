@@ -91,7 +91,7 @@ def singularity(case, match):
 def tool_at(case, ns):
     """It is above the text."""
     x, y, z = next(xyz(marker.pose.position) for marker in case.markers if marker.ns == ns)
-    return [x, y, z + 0.33 * case.machine.span]
+    return [x, y, z + 0.4 * case.machine.span]
 
 
 def tool(case, match):

@@ -42,6 +42,7 @@ def texts_of(markers):
         elif marker.text:
             texts.append(marker.text)
     return set(texts)
+DRIVES = ("--joint-speed-max", 1, "--joint-effort-max", 1000)
 
 
 class SentencesTest(Questions, unittest.TestCase):
@@ -111,11 +112,12 @@ class SentencesTest(Questions, unittest.TestCase):
             self.read_log(node)
 
     def test_orthoglide(self):
-        self.hold_all("orthoglide", run("urdf", "--machine", "orthoglide", "--length", self.rng.uniform(0.2, 2)).stdout,
-                      [crooked(self.rng)])
+        urdf = run("urdf", "--machine", "orthoglide", "--length", self.rng.uniform(0.2, 2), *DRIVES).stdout
+        self.hold_all("orthoglide", urdf, [crooked(self.rng)])
 
     def test_uranesx(self):
-        self.hold_all("uranesx", run("urdf", "--machine", "uranesx", "--lambda", self.rng.uniform(0, 0.1)).stdout)
+        urdf = run("urdf", "--machine", "uranesx", "--lambda", self.rng.uniform(0, 0.1), *DRIVES).stdout
+        self.hold_all("uranesx", urdf)
 
     def test_crooked_machines(self):
         for _ in range(CASES):

@@ -43,15 +43,12 @@ TEST(UrdfReader, takesWhatTheMotorsCanDo)
 {
   const Leg& whole = unit().leg(0);
   EXPECT_EQ(whole.speed, INF);
-  const auto urdf = withJoint(good(), "rail_y", "effort=\"1000\" velocity=\"1\"", "effort=\"250\" velocity=\"0.75\"");
-  EXPECT_EQ(readUrdf(urdf).machine.leg(0).speed, 1.0);
-  EXPECT_EQ(readUrdf(urdf).machine.leg(0).effort, 1000.0);
+  const auto urdf = withJoint(good(), "rail_y", "effort=\"0\" velocity=\"0\"", "effort=\"250\" velocity=\"0.75\"");
+  EXPECT_EQ(readUrdf(urdf).machine.leg(0).speed, INF);
+  EXPECT_EQ(readUrdf(urdf).machine.leg(0).effort, INF);
   EXPECT_EQ(readUrdf(urdf).machine.leg(1).speed, 0.75);
   EXPECT_EQ(readUrdf(urdf).machine.leg(1).effort, 250.0);
-  const auto zero = withJoint(good(), "rail_y", "effort=\"1000\" velocity=\"1\"", "effort=\"0\" velocity=\"0\"");
-  EXPECT_EQ(readUrdf(zero).machine.leg(1).speed, INF);
-  EXPECT_EQ(readUrdf(zero).machine.leg(1).effort, INF);
-  EXPECT_EQ(readUrdf(zero).machine.geometryHash(), readUrdf(urdf).machine.geometryHash());
+  EXPECT_EQ(readUrdf(good()).machine.geometryHash(), readUrdf(urdf).machine.geometryHash());
 }
 
 TEST(UrdfReader, takesAxesOfAnyLength)

@@ -74,7 +74,7 @@ TEST(UrdfRefusal, whatUrdfdomRefuses)
   expectRefused(rail("xyz=\"-1 0 0\"", "xyz=\"-1 0\""), "urdfdom: .*origin element for joint \\[rail_x\\]");
   expectRefused(rail("xyz=\"1 0 0\"", "xyz=\"1 0 0 0\""),
                 "urdfdom: .*axis element for joint \\[rail_x\\].*4 elements but 3");
-  expectRefused(rail("velocity=\"1\"", ""), "urdfdom: joint limit: no velocity");
+  expectRefused(rail("velocity=\"0\"", ""), "urdfdom: joint limit: no velocity");
   expectRefused(replaced(good(), "<robot name=\"orthoglide\">", "<robot>"), "urdfdom: No name given for the robot");
   expectRefused(withElements(good(), "<link name=\"tip_1\"/>"), "urdfdom: link 'tip_1' is not unique");
   expectRefused(withElements(good(), "<link name=\"floor\"/>"),
@@ -82,7 +82,7 @@ TEST(UrdfRefusal, whatUrdfdomRefuses)
   expectRefused(rail("type=\"prismatic\"", "type=\"sliding\""),
                 "urdfdom: Joint \\[rail_x\\] has no known type \\[sliding\\]");
   expectRefused(withJoint(good(), "revolute_1", "continuous", "revolute"), "REVOLUTE but it does not specify limits");
-  expectRefused(rail("<limit lower=\"-1.3\" upper=\"2.3\" effort=\"1000\" velocity=\"1\"/>", ""),
+  expectRefused(rail("<limit lower=\"-1.3\" upper=\"2.3\" effort=\"0\" velocity=\"0\"/>", ""),
                 "PRISMATIC without limits");
   expectRefused(rail("<parent link=\"base_link\"/>", "<parent link=\"nowhere\"/>"),
                 "parent link \\[nowhere\\].*not found");
@@ -101,7 +101,7 @@ TEST(UrdfRefusal, twoJointsOfOneName)
 TEST(UrdfRefusal, wrongLimits)
 {
   const auto limit = [](const std::string& to) {
-    return withJoint(good(), "rail_x", "lower=\"-1.3\" upper=\"2.3\" effort=\"1000\" velocity=\"1\"", to);
+    return withJoint(good(), "rail_x", "lower=\"-1.3\" upper=\"2.3\" effort=\"0\" velocity=\"0\"", to);
   };
   expectRefused(limit("lower=\"2\" upper=\"1.5\" effort=\"1\" velocity=\"1\""),
                 "joint 'rail_x': <limit> lower = 2 m is above upper = 1.5 m, expected lower <= upper");
@@ -190,7 +190,7 @@ TEST(UrdfRefusal, everythingThatIsWrongIsToldAtOnce)
 {
   auto urdf = withJoint(good(), "rail_x", "lower=\"-1.3\"", "lower=\"5\"");
   urdf = withJoint(urdf, "rail_y", "<axis xyz=\"0 1 0\"/>", "");
-  urdf = withJoint(urdf, "rail_z", "velocity=\"1\"", "velocity=\"fast\"");
+  urdf = withJoint(urdf, "rail_z", "velocity=\"0\"", "velocity=\"fast\"");
   expectRefused(urdf,
                 "joint 'rail_x': <limit> lower = 5 m is above upper = 2.3 m[^]*joint 'rail_y': <axis xyz> is "
                 "missing[^]*urdfdom: .*velocity value \\(fast\\)|rail_z");

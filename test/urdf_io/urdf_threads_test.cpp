@@ -24,7 +24,7 @@ public:
 
 std::string brokenAt(const std::string& joint)
 {
-  return withJoint(good(), joint, "velocity=\"1\"", "velocity=\"" + joint + "\"");
+  return withJoint(good(), joint, "velocity=\"0\"", "velocity=\"" + joint + "\"");
 }
 }  // namespace
 

@@ -27,17 +27,68 @@ std::string fileText(const std::string& name)
   return text.str();
 }
 
+std::string withoutComment(const std::string& text)
+{
+  const std::size_t begin = text.find("<!--");
+  return begin == std::string::npos ? text : text.substr(0, begin) + text.substr(text.find("-->") + 4);
+}
+
+Machine driven(const Machine& machine, double speed, double effort)
+{
+  Machine::Legs legs = machine.legs();
+  for (Leg& leg : legs)
+  {
+    leg.speed = speed;
+    leg.effort = effort;
+  }
+  return { machine.name(), legs, machine.zero() };
+}
+
 Machine readBack(const Machine& machine)
 {
   return readUrdf(writeUrdf(machine)).machine;
 }
 }  // namespace
 
+/// But for a comment on where the limits of the drives are from.
 TEST(UrdfWriter, writesTheFilesOfThePackage)
 {
-  EXPECT_TRUE(writeUrdf(orthoglide()) == fileText("orthoglide.urdf"));
-  EXPECT_TRUE(writeUrdf(uranesx()) == fileText("uranesx.urdf"));
-  EXPECT_TRUE(writeUrdf(orthoglidePrototype()) == fileText("orthoglide_prototype.urdf"));
+  EXPECT_EQ(writeUrdf(driven(orthoglide(), 1.2, 280.0)), withoutComment(fileText("orthoglide.urdf")));
+  EXPECT_EQ(writeUrdf(driven(uranesx(), 1.6, 2000.0)), withoutComment(fileText("uranesx.urdf")));
+  EXPECT_EQ(writeUrdf(driven(orthoglidePrototype(), 1.2, 280.0)),
+            withoutComment(fileText("orthoglide_prototype.urdf")));
+}
+
+TEST(UrdfWriter, writesWhatIsKnownOfDrivesAndNothingElse)
+{
+  const Machine unknown = readBack(orthoglide());
+  for (const Leg& leg : unknown.legs())
+  {
+    EXPECT_EQ(INF, leg.speed);
+    EXPECT_EQ(INF, leg.effort);
+  }
+  const Machine back = readBack(driven(uranesx(), 0.1, 1.0 / 3.0));
+  for (const Leg& leg : back.legs())
+  {
+    EXPECT_EQ(0.1, leg.speed);
+    EXPECT_EQ(1.0 / 3.0, leg.effort);
+  }
+  MachineDescription described;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    LegDescription& leg = described.legs[i];
+    leg.joint = "rail_" + std::to_string(i);
+    leg.angle = 2.0 * M_PI / 3.0 * static_cast<double>(i);
+    leg.radius = 0.1;
+    leg.length = 0.27;
+    leg.height = 0.3;
+    leg.upper = 0.2;
+  }
+  described.legs[1].speed = 0.5;
+  const Machine read = readUrdf(writeUrdf(described)).machine;
+  EXPECT_EQ(INF, read.leg(0).speed);
+  EXPECT_EQ(0.5, read.leg(1).speed);
+  EXPECT_EQ(INF, read.leg(1).effort);
 }
 
 TEST(UrdfWriter, theFilesOfThePackageAreReadWithoutWarning)

@@ -19,6 +19,8 @@ struct DraftKey
   {
     LENGTH,  ///< in the draft's unit
     ANGLE,   ///< in degrees
+    SPEED,   ///< in m/s, > 0
+    FORCE,   ///< in N, > 0
     SIGN,    ///< -1 or 1
     SIDE,    ///< "lower" or "upper"
     NAME

@@ -26,6 +26,8 @@ struct LegDescription
   double length = 0.0;                                       ///< of the strut [m]
   double lower = 0.0;                                        ///< joint limits [m]
   double upper = 0.0;
+  double speed = 0.0;     ///< the largest of its slider [m/s]; 0 where none is known
+  double effort = 0.0;    ///< the largest force on it [N]; 0 where none is known
   int working_mode = -1;  ///< -1: the strut points against the rail, +1: along it
 };
 

@@ -18,6 +18,7 @@ namespace pkm_workspace
 /// URDF wants joint limits. An end that the machine leaves open gets the nearest round number that is not reached: the
 /// reachable points lie in the ellipsoid sum |q_i|^2 <= sum L_i^2, which bounds every joint. Where
 /// the rails are nearly parallel, nothing bounds them: the limit is then L away from the zero configuration.
+/// It wants their speeds and forces, too: of a joint without any, 0 is written, which says that nothing is known.
 /// @throws std::invalid_argument when the joints have no names, or one name twice
 std::string writeUrdf(const Machine& machine);
 
