@@ -27,6 +27,7 @@ Json answerJson(const Machine& machine, const RegionQuery& query, const LargestR
   json["accuracy"] = query.accuracy;
   json["center"] = found ? toJson(solid.center) : Json();
   json["dimensions"] = found ? Json(solid.dimensions) : Json();
+  json["angle"] = found && region.angle ? Json(*region.angle) : Json();
   addVertices(shape, region.size, json);
   json["base_z"] = query.base_z ? Json(*query.base_z) : Json();
   json["size"] = region.size;
@@ -73,14 +74,15 @@ public:
     return "Finds the largest region of a shape whose every point is dextrous: a center and a size for which "
            "that is proved, and an upper bound above which no such region exists, wherever its center. Along "
            "parallel rails the center has the height of the zero configuration, or of the middle of --search-box; as "
-           "near to it as the joint limits let the region. With --base-z the region stands on that height. Ctrl-C ends "
+           "near to it as the joint limits let the region. With --base-z the region stands on that height. "
+           "With --turned it may have any angle about the vertical. Ctrl-C ends "
            "the search with the best proved so far.";
   }
 
   Words examples() const override
   {
     return { "pkm largest --urdf orthoglide.urdf --shape cube --accuracy 1e-4",
-             "pkm largest --urdf uranesx.urdf --shape square",
+             "pkm largest --urdf uranesx.urdf --shape square --turned",
              "pkm largest --urdf orthoglide.urdf --shape box --proportions 2 1 1 --joint-limits off --json",
              "pkm largest --urdf orthoglide.urdf --shape cylinder --radius 0.2 --base-z 0" };
   }
@@ -134,6 +136,9 @@ private:
     {
       const CenteredSolid solid = centeredSolid(shape, region.center, region.size);
       rows.push_back({ "center", describe(solid.center) });
+      if (region.angle)
+        rows.push_back({ "turned by", exact(*region.angle) + " rad from x to y, " +
+                                          nearly(*region.angle * 180.0 / M_PI, 6) + " degrees" });
       if (!shape.isPolytope())
         rows.push_back({ "dimensions", dimensions(shape, solid.dimensions, decimals) });
     }

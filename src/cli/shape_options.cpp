@@ -69,7 +69,9 @@ void PlaceOptions::declare(Options& options, RegionQuery& query)
               "where the center may be, of a region that stands the middle of its base; without it, anywhere");
   options.vector("center", wish_.center, "X Y Z", LENGTH, "the one center to look at, in place of --search-box");
   options.number("base-z", wish_.base_z, LENGTH, "height that the lowest face of the region lies at");
-  options.check({ "search-box", "center", "base-z" }, [this, &query](Problems& problems) {
+  options.flag("turned", wish_.turned,
+               "the region may be turned about the vertical: the largest over all angles; not for round shapes");
+  options.check({ "search-box", "center", "base-z", "turned" }, [this, &query](Problems& problems) {
     try
     {
       if (query.shape)

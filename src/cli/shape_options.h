@@ -27,7 +27,7 @@ private:
   std::optional<Eigen::Vector3d> seen_from_;
 };
 
-/// --search-box, --center, --base-z: where a region may be.
+/// --search-box, --center, --base-z, --turned: where a region may be, and how.
 class PlaceOptions
 {
 public:

@@ -15,14 +15,14 @@ void CenterSearch::suspect(const std::vector<Eigen::Vector3d>& points)
 }
 
 /// Makes the region the incumbent if it is larger and proved. @return with a bad point if one stands in the way, of the
-/// region's place where there are places
+/// region's place where there are places; of one that may be turned, where it is in K
 ContainmentResult CenterSearch::certify(const Candidate& candidate)
 {
   if (!incumbent_.asksFor(candidate.size))
     return {};
   const Candidate region = settled(candidate);
   ContainmentResult proof = incumbent_.certify(region);
-  if (proof.bad_point && space_.travel)
+  if (proof.bad_point && !query_.turns() && space_.travel)
     *proof.bad_point += space_.travel->placeOf(region.center) - region.center;
   return proof;
 }
@@ -32,6 +32,11 @@ ContainmentResult CenterSearch::certify(const Candidate& candidate)
 void CenterSearch::learn(const Candidate& refused, const ContainmentResult& proof)
 {
   const Eigen::Vector3d& bad_point = *proof.bad_point;
+  if (query_.turns())
+  {
+    witnesses_.learnPlace(Eigen::Vector3d::Zero(), refused.size, bad_point);
+    return;
+  }
   if (!space_.travel)
   {
     if (proof.bad_within > 0.0)
@@ -65,13 +70,15 @@ Candidate CenterSearch::settled(const Candidate& candidate) const
   if (!space_.travel)
     return candidate;
   const Eigen::Vector3d place = space_.travel->placeOf(candidate.center);
-  return { space_.travel->centerAt(place, candidate.size, witnesses_.ofShape()), candidate.size };
+  const std::vector<GrowingVector> points = candidate.placesOf(witnesses_.ofShape());
+  return { space_.travel->centerAt(place, candidate.size, points), candidate.size, candidate.angle };
 }
 
 /// The same region where testOfClimbs() is asked for it.
 Candidate CenterSearch::searched(const Candidate& candidate) const
 {
-  return space_.travel && !travel_ ? Candidate{ space_.travel->placeOf(candidate.center), candidate.size }
-                                   : settled(candidate);
+  return space_.travel && !travel_
+             ? Candidate{ space_.travel->placeOf(candidate.center), candidate.size, candidate.angle }
+             : settled(candidate);
 }
 }  // namespace pkm_workspace

@@ -15,6 +15,8 @@ constexpr int GRID = 4;
 constexpr std::size_t STARTS = 2;
 /// How far below the local optimum a region is certified, as shares of the accuracy; the first that is proved counts.
 constexpr double BACK_OFFS[] = { 1e-4, 1e-3, 1e-2, 0.1, 0.4 };
+/// Where regions may be turned, the search begins with parts of the angles that are no wider [rad].
+constexpr double WIDEST_SECTOR = 0.3;
 /// If none of these is, a region is certified that is this much smaller.
 constexpr double SHRINKAGES[] = { 0.999, 0.99, 0.9, 0.7, 0.4, 0.1 };
 /// New witness points that one climb may learn from failed certificates.
@@ -32,6 +34,23 @@ constexpr double LEAST_PRECISE_ACCURACY = 5e-14;
 double leastAccuracy(const RegionQuery& query)
 {
   return query.precision == Precision::DOUBLE ? LEAST_ACCURACY : LEAST_PRECISE_ACCURACY;
+}
+
+/// Angles that a box is narrow over: a single 0, or parts of those by which regions may be turned.
+std::vector<Interval> sectorsOf(const Interval& angles)
+{
+  if (angles.isSingle())
+    return { angles };
+  const int count = static_cast<int>(std::ceil(angles.width() / WIDEST_SECTOR));
+  std::vector<Interval> sectors;
+  double lower = angles.lower();
+  for (int k = 1; k <= count; ++k)
+  {
+    const double upper = k == count ? angles.upper() : angles.lower() + k * (angles.width() / count);
+    sectors.emplace_back(lower, upper);
+    lower = upper;
+  }
+  return sectors;
 }
 
 /// Decides what is bad wherever a point stands along parallel rails.
@@ -54,12 +73,13 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , test_across_rails_(withoutLimits(machine, query, space_))
   , travel_(space_.travel && space_.travel->binds() ? &*space_.travel : nullptr)
   , witnesses_(*query.shape)
-  , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_, query.closed != nullptr))
-  , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, travel_)
+  , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_, tellsReasons()))
+  , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, query.angles,
+                  travel_)
   , pool_(query.budget.threads)
   , scale_(machine.scale())
   , accuracy_(std::max(query.accuracy, leastAccuracy(query) * scale_ / query.shape->halfExtents().per_size.maxCoeff()))
-  , incumbent_(test_, query_, budget_, known, verification_boxes)
+  , incumbent_(machine, test_, query_, budget_, known, verification_boxes)
   , is_part_(verification_boxes > 0)
   , checkpoint_(query.budget.max_boxes > 0 && !is_part_ ? FIRST_CHECKPOINT : CHECKPOINT)
   , bracket_(0.0, space_.size_bound)
@@ -85,10 +105,10 @@ bool CenterSearch::certifyBelow(const Candidate& candidate)
   const double before = incumbent_.size();
   for (const double share : BACK_OFFS)
     if (incumbent_.size() == before)
-      certify({ candidate.center, candidate.size - share * accuracy_ });
+      certify(candidate.ofSize(candidate.size - share * accuracy_));
   for (const double share : SHRINKAGES)
     if (incumbent_.size() == before)
-      certify({ candidate.center, share * candidate.size });
+      certify(candidate.ofSize(share * candidate.size));
   return incumbent_.size() > before;
 }
 
@@ -99,7 +119,7 @@ void CenterSearch::climbFrom(const Candidate& start)
   for (int lesson = 0; lesson < LESSONS && !budget_.isOver(); ++lesson)
   {
     found = local_search_.climb(found, BACK_OFFS[0] * accuracy_);
-    const ContainmentResult proof = certify({ found.center, found.size - BACK_OFFS[0] * accuracy_ });
+    const ContainmentResult proof = certify(found.ofSize(found.size - BACK_OFFS[0] * accuracy_));
     if (!proof.bad_point)
       break;
     learn(found, proof);
@@ -122,18 +142,21 @@ void CenterSearch::start()
   const Eigen::Vector3d zero = zero_.cwiseMax(centers.lower).cwiseMin(centers.upper);
   std::partial_sort(starts.begin(), starts.begin() + STARTS, starts.end(),
                     [](const auto& a, const auto& b) { return a.first < b.first; });
-  climbFrom({ zero, 0.0 });
+  const std::vector<Interval> sectors = sectorsOf(query_.angles);
+  for (const Interval& sector : sectors)
+    climbFrom({ zero, 0.0, sector.mid() });
   for (std::size_t k = 0; k < STARTS; ++k)
-    climbFrom({ starts[k].second, 0.0 });
-  open_.put({ centers, space_.size_bound, 0.0 });
+    climbFrom({ starts[k].second, 0.0, sectors[k % sectors.size()].mid() });
+  for (const Interval& sector : sectors)
+    open_.put({ centers, space_.size_bound, 0.0, sector });
 }
 
 /// Asks whether the middle of a box that could not be excluded carries a region of that size: if so, climbs from there;
 /// if not, the bad point serves the boxes to come.
-void CenterSearch::tryCenter(const Box& centers, double size)
+void CenterSearch::tryCenter(const Node& node, double size)
 {
-  const Candidate candidate = searched({ centers.center(), size });
-  if (!center_tests_.front().isPromising(candidate.center, size))
+  const Candidate candidate = searched({ node.centers.center(), size, node.angles.mid() });
+  if (!center_tests_.front().isPromising(candidate))
     return;
   const ContainmentResult proof = certify(candidate);
   if (proof.bad_point)
@@ -150,7 +173,7 @@ void CenterSearch::grow()
 {
   for (double step = accuracy_;; step *= 2.0)
   {
-    const Candidate larger{ incumbent_.candidate().center, incumbent_.size() + step };
+    const Candidate larger = incumbent_.candidate().ofSize(incumbent_.size() + step);
     const ContainmentResult proof = certify(larger);
     if (proof.bad_point)
       learn(larger, proof);
@@ -218,6 +241,8 @@ LargestRegion CenterSearch::result(Ending ending)
   region.shape = query_.shape;
   region.center = incumbent_.candidate().center;
   region.size = incumbent_.isFound() ? incumbent_.size() : 0.0;
+  if (query_.turns())
+    region.angle = incumbent_.candidate().angle;
   region.size_upper_bound = bracket_.upper();
   region.boxes = boxes_;
   region.verification_boxes = incumbent_.boxes();

@@ -7,11 +7,17 @@
 
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
 {
 namespace
 {
+/// Of a shape whose corners are looked at two at a time.
+constexpr std::size_t FEW_POINTS = 8;
+/// A difference that is rounded once.
+const Interval ROUNDED(1.0 - 0x1p-52, 1.0 + 0x1p-52);
+
 bool runAlongAxis(const Machine& machine, int axis)
 {
   const Interval& e = directionOfRails(machine)[static_cast<std::size_t>(axis)];
@@ -80,6 +86,46 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
     }
   return bound.value();
 }
+
+/// A lower bound of |E R v| over all turns R about z.
+double leastTurnedLength(const OuterBound& outer, const IntervalVector& v)
+{
+  double least = INF;
+  for (const IntervalMatrix& turns : halfTurns())
+    least = std::min(least, norm(outer.projector * (turns * v)).lower());
+  return least;
+}
+
+/// The same where regions may be turned. Across the rail of a leg there is a horizontal direction, along which regions
+/// measure no less than their least width, whatever the angle. Where a shape has few corners, two of them at a time are
+/// looked at as above.
+double turnedSizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
+{
+  SizeBound bound;
+  const std::optional<Interval> slope = steepest(query.criterion);
+  const Growing<double> width = leastWidth(*query.shape);
+  const std::vector<GrowingVector> points = query.shape->extremePoints();
+  for (int leg = 0; leg < 3; ++leg)
+  {
+    const OuterBound outer = outerBound(machine.enclosed(leg), slope);
+    const Interval room = Interval(2.0) * outer.radius;
+    bound.take(room, Interval(-width.fixed), Interval(width.per_size));
+    for (std::size_t first = 0; first < points.size() && points.size() <= FEW_POINTS; ++first)
+      for (std::size_t second = 0; second < first; ++second)
+      {
+        const IntervalVector fixed = enclose(points[first].fixed) - enclose(points[second].fixed);
+        const IntervalVector per_size = enclose(points[first].per_size) - enclose(points[second].per_size);
+        const double least = leastTurnedLength(outer, per_size);
+        if (least > 0.0)
+          bound.take(room, norm(fixed), Interval(least));
+      }
+  }
+  const GrowingVector extent = query.shape->upper() - query.shape->lower();
+  const double height = bounds.upper.z() - bounds.lower.z();
+  if (std::isfinite(height) && extent.fixed.z() == 0.0)
+    bound.take(Interval(bounds.upper.z()) - Interval(bounds.lower.z()), 0.0, ROUNDED * Interval(extent.per_size.z()));
+  return std::max(0.0, bound.value());
+}
 }  // namespace
 
 CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
@@ -88,10 +134,10 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
   CenterSpace space{ bounds, 0.0, std::nullopt };
   if (!bounds.isValid())
     return space;  // no point belongs to the set
-  space.size_bound = sizeBound(machine, query, bounds);
+  space.size_bound = query.turns() ? turnedSizeBound(machine, query, bounds) : sizeBound(machine, query, bounds);
   if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
-  else if (machine.hasParallelRails())
+  else if (machine.hasParallelRails() && (!query.turns() || runAlongAxis(machine, 2)))
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);

@@ -19,6 +19,12 @@ Enclosed<double> exactly(double value)
   return Enclosed<double>(Interval(value));
 }
 
+/// Makes lengths numbers of the order of 1.
+Enclosed<double> perLength(const BoxTest& test)
+{
+  return exactly(1.0 / std::sqrt(test.model().legs().squaredScale()));
+}
+
 ReasonTerm withForm(ReasonTerm term, const AffineForm<double>& form)
 {
   term.form = form;
@@ -42,32 +48,43 @@ CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoi
 /// @param term makes what the form says, where reasons are kept
 /// @return true when the form is negative on the whole box: that alone excludes it
 template <class Term>
-bool CenterTest::add(const AffineForm<double>& form, const Term& term)
+bool CenterTest::add(const TurningForm& form, const Term& term)
 {
   if (form.upper() < 0.0)
   {
     if (keeps_reasons_)
-      reason_.terms = { withForm(term(), form) };
+      reason_.terms = { withForm(term(), form.form) };
     return true;
   }
   if (form.lower() > 0.0)
     return false;  // it cannot help
   forms_.push_back(form);
   if (keeps_reasons_)
-    terms_.push_back(withForm(term(), form));
-  programme_.add({ form.center + form.radius, { form.gradient[0], form.gradient[1], form.gradient[2], -ROOM } });
+    terms_.push_back(withForm(term(), form.form));
+  const auto& [center, gradient, radius] = form.form;
+  programme_.add(
+      { center + radius + form.turn.radius, { gradient[0], gradient[1], gradient[2], form.turn.value, -ROOM } });
   return false;
 }
 
 /// @return true when that alone excludes the box
 bool CenterTest::addTravel(const Box& places, double size)
 {
+  const auto addAll = [&](const auto& over_node) {
+    return std::any_of(travel_forms_.begin(), travel_forms_.end(), [&](const AffineForm<double>& form) {
+      return add(perLength(test_) * over_node(form), [] { return ReasonTerm{ ReasonTerm::Kind::TRAVEL }; });
+    });
+  };
   travel_forms_.clear();
-  travel_->addForms(places, size, witnesses_.ofShape(), travel_forms_);
-  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
-  return std::any_of(travel_forms_.begin(), travel_forms_.end(), [&](const AffineForm<double>& form) {
-    return add(per_length * form, [] { return ReasonTerm{ ReasonTerm::Kind::TRAVEL }; });
-  });
+  travel_->addSearchBox(places, travel_forms_);
+  bool excluded = addAll([](const AffineForm<double>& form) { return TurningForm{ form }; });
+  for (std::size_t k = 0; k < witnesses_.ofShape().size() && !excluded; ++k)
+  {
+    travel_forms_.clear();
+    travel_->addForms(box_.moved(size, places_[k]), travel_forms_);
+    excluded = addAll([&](const AffineForm<double>& form) { return overNode(k, form); });
+  }
+  return excluded;
 }
 
 /// What the criterion makes necessary at a witness point. @return true when that alone excludes the box
@@ -85,16 +102,17 @@ bool CenterTest::addNecessary(std::size_t k)
   if (necessary.violated)
     return true;
   for (std::size_t form = 0; form < necessary.forms; ++form)
-    if (add(necessary.form[form], [&] { return term(form); }))
+    if (add(overNode(k, necessary.form[form]), [&] { return term(form); }))
       return true;
   return false;
 }
 
 /// Whether for every center of the box a point between two extreme points lies within the sphere and in its cone.
-bool CenterTest::reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const
+bool CenterTest::reachesInto(const StrutSphere& sphere, double size) const
 {
-  return std::any_of(between_.begin(), between_.end(), [&](const GrowingVector& place) {
-    const CenteredBox<double> there = box.moved(size, place);
+  const auto first = places_.end() - static_cast<std::ptrdiff_t>(between_.size());
+  return std::any_of(first, places_.end(), [&](const GrowingVector& place) {
+    const CenteredBox<double> there = box_.moved(size, place);
     return sphere.hasInCone(there) && sphere.excess(there).upper() < 0.0;
   });
 }
@@ -102,21 +120,21 @@ bool CenterTest::reachesInto(const StrutSphere& sphere, const CenteredBox<double
 /// What a region shares with the cone of a sphere is on one side of it: on which one, a point tells that is there for
 /// all centers of the box.
 /// @return true when all regions have points on both sides
-bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>& box, const Box& centers, double size)
+bool CenterTest::addSphere(const StrutSphere& sphere, const Box& centers, double size)
 {
   excesses_.clear();
-  bool within = shape_.contains(sphere.center(), centers, size);
+  bool within = !turning_ && shape_.contains(sphere.center(), centers, size);
   bool beyond = false;
-  for (const GrowingVector& place : witnesses_.ofShape())
+  for (std::size_t k = 0; k < witnesses_.ofShape().size(); ++k)
   {
-    const CenteredBox<double> there = box.moved(size, place);
+    const CenteredBox<double> there = box_.moved(size, places_[k]);
     if (!sphere.hasInCone(there))
       continue;
-    excesses_.push_back({ place, sphere.excess(there) });
+    excesses_.push_back({ witnesses_.ofShape()[k], overNode(k, sphere.excess(there)) });
     within = within || excesses_.back().form.upper() < 0.0;
     beyond = beyond || excesses_.back().form.lower() > 0.0;
   }
-  within = within || (!excesses_.empty() && reachesInto(sphere, box, size));
+  within = within || (!excesses_.empty() && reachesInto(sphere, size));
   return std::any_of(excesses_.begin(), excesses_.end(), [&](const Excess& excess) {
     const auto term = [&] {
       ReasonTerm result{ ReasonTerm::Kind::SPHERE };
@@ -124,14 +142,14 @@ bool CenterTest::addSphere(const StrutSphere& sphere, const CenteredBox<double>&
       result.point = sphere.center();
       return result;
     };
-    return (within && add(-excess.form, term)) || (beyond && add(excess.form, term));
+    return (within && add(exactly(-1.0) * excess.form, term)) || (beyond && add(excess.form, term));
   });
 }
 
 /// Checks the programme's certificate: a non-negative combination of the forms that is negative on the whole box.
 bool CenterTest::combinationExcludes()
 {
-  AffineForm<double> sum;
+  TurningForm sum;
   reason_.terms.clear();
   for (const auto& term : programme_.certificate())
     if (!std::isfinite(term.weight))
@@ -152,9 +170,12 @@ bool CenterTest::combinationExcludes()
 bool CenterTest::addCuts()
 {
   const auto& point = programme_.point();
-  const std::array<double, 3> delta = { point[0], point[1], point[2] };
   bool added = false;
   for (std::size_t k = 0; k < necessary_.size(); ++k)
+  {
+    std::array<double, 3> delta = { point[0], point[1], point[2] };
+    if (turning_)
+      delta = turning_->deltaOf(k, delta, point[3]);
     for (std::size_t m = 0; m < necessary_[k].matrices; ++m)
     {
       const NecessaryForms& necessary = necessary_[k];
@@ -166,19 +187,19 @@ bool CenterTest::addCuts()
                            form.gradient[2] * delta[2];
       if (value > room_ - WORTH_A_CUT * std::abs(room_))
         continue;
-      add(form, [&] {
+      add(overNode(k, form), [&] {
         const FormOrigin origin{ { necessary.kind[m] }, {}, pair.vector };
         return ReasonTerm{ ReasonTerm::Kind::CONDITION, witnesses_.ofShape()[k], origin };
       });
       added = true;
     }
+  }
   return added;
 }
 
 /// @return true when a point that is known to be bad lies within every region: that alone excludes the box
 bool CenterTest::addKnown(const Box& centers, double size)
 {
-  const Enclosed<double> per_length = exactly(1.0 / std::sqrt(test_.model().legs().squaredScale()));
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
     const auto avoidance = shape_.avoidance(point, centers, size);
@@ -187,14 +208,15 @@ bool CenterTest::addKnown(const Box& centers, double size)
       result.point = point;
       return result;
     };
-    if (avoidance && add(per_length * *avoidance, term))
+    if (avoidance && add({ perLength(test_) * *avoidance }, term))
       return true;
   }
   return false;
 }
 
-std::optional<Closing> CenterTest::excludes(const Box& centers, double size)
+std::optional<Closing> CenterTest::excludes(const Box& centers, double size, const Interval& angles)
 {
+  place(centers, size, angles);
   std::optional<Closing> excluded = excludes(centers, size, test_.kernel());
   const BoxKernel* finer = excluded ? nullptr : test_.finerKernel(centers);
   if (finer)
@@ -208,20 +230,18 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size)
 /// By one form, as far as they are known before there are cuts: those that do not are kept.
 std::optional<Closing> CenterTest::excludesAlone(const Box& centers, double size, const BoxKernel& kernel)
 {
-  if (addKnown(centers, size))
+  if (!turning_ && addKnown(centers, size))
     return Closing::BAD_POINT;
-  const CenteredBox<double> box(centers);
-  const std::vector<GrowingVector>& places = witnesses_.ofShape();
-  necessary_.resize(places.size());
-  origins_.resize(keeps_reasons_ ? places.size() * NecessaryForms::MOST : 0);
-  kernel.necessaryForms(box, size, places.data(), places.size(), necessary_.data(),
+  necessary_.resize(witnesses_.ofShape().size());
+  origins_.resize(keeps_reasons_ ? necessary_.size() * NecessaryForms::MOST : 0);
+  kernel.necessaryForms(box_, size, places_.data(), necessary_.size(), necessary_.data(),
                         keeps_reasons_ ? origins_.data() : nullptr);
   bool excluded = false;
-  for (std::size_t k = 0; k < places.size() && !excluded; ++k)
+  for (std::size_t k = 0; k < necessary_.size() && !excluded; ++k)
     excluded = addNecessary(k);
   excluded = excluded || (travel_ && addTravel(centers, size)) ||
              std::any_of(test_.spheres().begin(), test_.spheres().end(),
-                         [&](const StrutSphere& sphere) { return addSphere(sphere, box, centers, size); });
+                         [&](const StrutSphere& sphere) { return addSphere(sphere, centers, size); });
   return excluded ? std::make_optional(Closing::FORM) : std::nullopt;
 }
 
@@ -229,34 +249,19 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size, con
 {
   forms_.clear();
   terms_.clear();
-  programme_.reset({ 0.0, 0.0, 0.0, 1.0 });
+  programme_.reset({ 0.0, 0.0, 0.0, 0.0, 1.0 });
   room_ = ROOM;
   if (const auto excluded = excludesAlone(centers, size, kernel))
     return excluded;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();
-    room_ = programme_.point()[3] * ROOM;
+    room_ = programme_.point()[4] * ROOM;
     if (!feasible || room_ < 0.0)
       return combinationExcludes() ? std::make_optional(Closing::COMBINATION) : std::nullopt;
     if (!addCuts())
       return std::nullopt;
   }
   return std::nullopt;
-}
-
-bool CenterTest::isPromising(const Eigen::Vector3d& center, double size)
-{
-  const std::vector<GrowingVector>& places = witnesses_.ofShape();
-  margins_.resize(places.size());
-  test_.kernel().margins(pointsOf(places, center, size).data(), places.size(), margins_.data());
-  if (*std::min_element(margins_.begin(), margins_.end()) < 0.0)
-    return false;
-  const Eigen::Vector3d place = travel_ ? travel_->placeOf(center) : center;
-  if (travel_ && !travel_->leavesCenter(place, size, places))
-    return false;
-  return std::none_of(witnesses_.bad().begin(), witnesses_.bad().end(), [&](const Eigen::Vector3d& point) {
-    return shape_.contains(point, Box{ place, place }, size);
-  });
 }
 }  // namespace pkm_workspace

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
 {
@@ -17,9 +20,13 @@ constexpr double LESS = 0.1;
 constexpr std::int64_t VERIFICATIONS = 16;
 }  // namespace
 
-Incumbent::Incumbent(const BoxTest& test, const RegionQuery& query, const RunningBudget& budget, double known,
-                     std::int64_t most)
-  : test_(test), query_(query), budget_(budget), most_(most > 0 ? most : std::numeric_limits<std::int64_t>::max())
+Incumbent::Incumbent(const Machine& machine, const BoxTest& test, const RegionQuery& query, const RunningBudget& budget,
+                     double known, std::int64_t most)
+  : machine_(machine)
+  , test_(test)
+  , query_(query)
+  , budget_(budget)
+  , most_(most > 0 ? most : std::numeric_limits<std::int64_t>::max())
 {
   candidate_.size = known;
 }
@@ -35,13 +42,33 @@ bool Incumbent::asksFor(double size) const
   return size > candidate_.size && boxes_ < most_ && !budget_.isOver();
 }
 
+/// As seen from the region. @return with a bad point as seen from its center
+ContainmentResult Incumbent::checkTurned(const Candidate& region, const Budget& budget) const
+{
+  try
+  {
+    const BoxTest turned(machineSeenFrom(machine_, region.center, region.angle), query_.criterion, query_.precision);
+    const Eigen::Vector3d center(0.0, 0.0, region.center.z());
+    ContainmentResult proof = checkContainment(turned, *query_.shape, center, region.size, budget);
+    if (proof.bad_point)
+      *proof.bad_point -= center;
+    return proof;
+  }
+  catch (const std::invalid_argument&)
+  {
+    return {};  // rounding loses the machine
+  }
+}
+
 ContainmentResult Incumbent::certify(const Candidate& region)
 {
   if (!asksFor(region.size))
     return {};
   Budget budget = budget_.rest();
   budget.max_boxes = allowedBoxes(region.size);
-  const ContainmentResult proof = checkContainment(test_, *query_.shape, region.center, region.size, budget);
+  const ContainmentResult proof = query_.turns()
+                                      ? checkTurned(region, budget)
+                                      : checkContainment(test_, *query_.shape, region.center, region.size, budget);
   boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
   {

@@ -11,6 +11,7 @@
 #include "pkm_workspace/region/largest_cylinder.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/region_height.h"
+#include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
 {
@@ -28,6 +29,8 @@ void RegionQuery::validate(Problems& problems) const
   if (ratio && !(ratio->lower > 0.0 && ratio->lower <= ratio->upper && ratio->upper <= 1e6))
     problems.push_back("ratio = [" + exact(ratio->lower) + ", " + exact(ratio->upper) +
                        "] must be from 1e-6 to 1e6, the least one first");
+  if (shape && turns() && !canTurn(shape->kind()))
+    problems.push_back("regions of this shape cannot be turned: a turn changes nothing about a " + shape->kind());
   criterion.validate(problems);
   if (criterion.aspect == Criterion::Aspect::BOTH && criterion.settlesAspect())
     problems.push_back(
@@ -145,7 +148,7 @@ LargestRegion findLargestRegion(const Machine& machine, const RegionQuery& query
   throwProblems(problems);
   const RunningBudget budget(query.budget);
   LargestRegion region = query.ratio ? findLargestCylinder(machine, query) : CenterSearch(machine, query).run();
-  settleHeight(machine, query, budget, region);
+  query.turns() ? settleTurned(machine, query, budget, region) : settleHeight(machine, query, budget, region);
   if (region.status == LargestRegion::Status::NONE && query.criterion.joint_limits)
     region.message += railsThatCannotMove(machine);
   return region;

@@ -170,6 +170,6 @@ std::array<typename LinearProgramme<N>::Term, N + 1> LinearProgramme<N>::certifi
   return terms;
 }
 
-template class LinearProgramme<4>;
 template class LinearProgramme<5>;
+template class LinearProgramme<6>;
 }  // namespace pkm_workspace

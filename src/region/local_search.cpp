@@ -14,15 +14,17 @@ constexpr int MAX_STEPS = 60;
 constexpr int CUT_ROUNDS = 6;
 constexpr double PENALTY = 8.0;      ///< what a violation costs against size
 constexpr double DIFFERENCE = 1e-7;  ///< half width of the boxes that give gradients, relative to the longest strut
+constexpr double MOST_TURN = 0.3;    ///< in one step [rad]
 constexpr double SMALLEST_TRUST = 1e-12;  ///< relative to the longest strut
 }  // namespace
 
 LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers,
-                         const RailTravel* travel)
+                         const Interval& angles, const RailTravel* travel)
   : test_(test)
   , shape_(shape)
   , witnesses_(witnesses)
   , centers_(centers)
+  , angles_(angles)
   , travel_(travel)
   , scale_(std::sqrt(test.model().legs().squaredScale()))
   , reach_(shape.halfExtents().per_size.maxCoeff())
@@ -30,7 +32,8 @@ LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessP
 
 LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
 {
-  const std::vector<Eigen::Vector3d> points = pointsOf(witnesses_.ofShape(), candidate.center, candidate.size);
+  const std::vector<Eigen::Vector3d> points =
+      pointsOf(candidate.placesOf(witnesses_.ofShape()), candidate.center, candidate.size);
   margins_.resize(points.size());
   test_.kernel().margins(points.data(), points.size(), margins_.data());
   double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
@@ -54,7 +57,8 @@ double LocalSearch::excessOf(const Candidate& candidate) const
   double excess = 0.0;
   for (const StrutSphere& sphere : test_.spheres())
     if (reachesInto(sphere, candidate))
-      for (const Eigen::Vector3d& point : pointsOf(witnesses_.ofShape(), candidate.center, candidate.size))
+      for (const Eigen::Vector3d& point :
+           pointsOf(candidate.placesOf(witnesses_.ofShape()), candidate.center, candidate.size))
       {
         const CenteredBox<double> there(Box{ point, point });
         if (sphere.hasInCone(there))
@@ -64,17 +68,17 @@ double LocalSearch::excessOf(const Candidate& candidate) const
 }
 
 /// Appends rows that keep the region within the spheres that it reaches into.
-void LocalSearch::addSpheres(const Candidate& from, double trust)
+void LocalSearch::addSpheres(double trust)
 {
-  CenteredBox<double> box(Box{ from.center, from.center });
+  CenteredBox<double> box(Box{ from_.center, from_.center });
   box.half_widths.fill(DIFFERENCE * scale_);
   for (const StrutSphere& sphere : test_.spheres())
-    if (reachesInto(sphere, from))
-      for (const GrowingVector& place : witnesses_.ofShape())
+    if (reachesInto(sphere, from_))
+      for (std::size_t k = 0; k < places_.size(); ++k)
       {
-        const CenteredBox<double> there = box.moved(from.size, place);
+        const CenteredBox<double> there = box.moved(from_.size, places_[k]);
         if (sphere.hasInCone(there))
-          addRow(-sphere.excess(there), trust, place);
+          addRow(-sphere.excess(there), trust, k);
       }
 }
 
@@ -87,14 +91,14 @@ LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::V
 }
 
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
-void LocalSearch::addExits(const Candidate& from, double trust)
+void LocalSearch::addExits(double trust)
 {
   for (const Eigen::Vector3d& point : witnesses_.bad())
   {
-    Exit exit = exitOf(from, point);
+    Exit exit = exitOf(from_, point);
     if (travel_)
       exit.normal = travel_->slopeOfPlace(exit.normal);
-    LinearProgramme<5>::Row row{ 0.5 * slack_ - exit.depth, {} };
+    LinearProgramme<6>::Row row{ 0.5 * slack_ - exit.depth, {} };
     for (std::size_t j = 0; j < 3; ++j)
       row.slope[j] = -trust * exit.normal[static_cast<int>(j)];
     row.slope[3] = -trust * exit.support / reach_;
@@ -108,17 +112,27 @@ double LocalSearch::merit(const Step& step) const
   return reach_ * step.candidate.size - PENALTY * step.violation;
 }
 
+/// How far the witness goes with the largest turn [m].
+Eigen::Vector3d LocalSearch::sweepOf(std::size_t witness) const
+{
+  const Eigen::Vector3d offset = places_[witness].at(from_.size);
+  return turn_ * Eigen::Vector3d(-offset.y(), offset.x(), 0.0);
+}
+
 /// Appends form(p) >= 0 around the place p of the witness, in steps of the trust region. Lengths of the form's
 /// gradient are those of the small box that it was evaluated on.
-void LocalSearch::addRow(const AffineForm<double>& form, double trust, const GrowingVector& witness)
+void LocalSearch::addRow(const AffineForm<double>& form, double trust, std::size_t witness)
 {
+  const Eigen::Vector3d growth = places_[witness].per_size / reach_;
+  const Eigen::Vector3d sweep = sweepOf(witness) / trust;
   const double unit = trust / DIFFERENCE;
-  LinearProgramme<5>::Row row{ scale_ * form.center, {} };
+  LinearProgramme<6>::Row row{ scale_ * form.center, {} };
   for (std::size_t j = 0; j < 3; ++j)
   {
     const double slope = form.gradient[j] * unit;
     row.slope[j] = slope;
-    row.slope[3] += slope * witness.per_size[static_cast<int>(j)] / reach_;
+    row.slope[3] += slope * growth[static_cast<int>(j)];
+    row.slope[5] += slope * sweep[static_cast<int>(j)];
   }
   row.offset += 0.5 * slack_;  // the unknown violation runs from 0 to slack_
   row.slope[4] = 0.5 * slack_;
@@ -126,54 +140,68 @@ void LocalSearch::addRow(const AffineForm<double>& form, double trust, const Gro
     programme_.add(row);
 }
 
-void LocalSearch::linearize(const Candidate& from, double trust)
+void LocalSearch::linearize(double trust)
 {
-  const std::vector<GrowingVector>& places = witnesses_.ofShape();
-  CenteredBox<double> box(Box{ from.center, from.center });
+  CenteredBox<double> box(Box{ from_.center, from_.center });
   box.half_widths.fill(DIFFERENCE * scale_);
-  necessary_.resize(places.size());
-  test_.kernel().necessaryForms(box, from.size, places.data(), places.size(), necessary_.data());
-  for (std::size_t k = 0; k < places.size(); ++k)
+  necessary_.resize(places_.size());
+  test_.kernel().necessaryForms(box, from_.size, places_.data(), places_.size(), necessary_.data());
+  for (std::size_t k = 0; k < places_.size(); ++k)
     for (std::size_t row = 0; row < necessary_[k].forms; ++row)
-      addRow(necessary_[k].form[row], trust, places[k]);
-  addExits(from, trust);
-  addSpheres(from, trust);
+      addRow(necessary_[k].form[row], trust, k);
+  addExits(trust);
+  addSpheres(trust);
 }
 
 /// Adds a row for every matrix that is not semidefinite at the programme's optimum.
 bool LocalSearch::addCuts(double trust)
 {
-  const std::vector<GrowingVector>& places = witnesses_.ofShape();
   const auto& x = programme_.point();
+  const Eigen::Vector3d step(x[0], x[1], x[2]);
   const double unit = trust / (DIFFERENCE * scale_);
   bool added = false;
-  for (std::size_t k = 0; k < places.size(); ++k)
+  for (std::size_t k = 0; k < places_.size(); ++k)
+  {
+    const Eigen::Vector3d moved = unit * (step + x[3] / reach_ * places_[k].per_size + x[5] / trust * sweepOf(k));
     for (std::size_t m = 0; m < necessary_[k].matrices; ++m)
     {
-      std::array<double, 3> delta;
-      for (std::size_t j = 0; j < 3; ++j)
-        delta[j] = unit * (x[j] + x[3] * places[k].per_size[static_cast<int>(j)] / reach_);
+      const std::array<double, 3> delta = { moved[0], moved[1], moved[2] };
       const SymmetricForms<double>& matrix = necessary_[k].matrix[m];
       if (isAbove(matrix, delta, -1e-3 * trust / scale_))
         continue;
-      addRow(quadraticForm(matrix, leastEigenvector(matrix, delta).vector), trust, places[k]);
+      addRow(quadraticForm(matrix, leastEigenvector(matrix, delta).vector), trust, k);
       added = true;
     }
+  }
   return added;
+}
+
+/// As far as its ends move by the trust region.
+double LocalSearch::largestTurn(double trust) const
+{
+  if (angles_ == Interval(0.0))
+    return 0.0;
+  double arm = 0.0;
+  for (const GrowingVector& place : places_)
+    arm = std::max(arm, place.at(from_.size).head<2>().norm());
+  return std::min(MOST_TURN, trust / std::max(arm, trust));
 }
 
 Candidate LocalSearch::propose(const Step& step, double trust)
 {
-  const Candidate& from = step.candidate;
+  from_ = step.candidate;
+  places_ = from_.placesOf(witnesses_.ofShape());
+  turn_ = largestTurn(trust);
   slack_ = 2.0 * step.violation + 4.0 * trust;
-  programme_.reset({ 0.0, 0.0, 0.0, trust, -0.5 * PENALTY * slack_ });
-  linearize(from, trust);
+  programme_.reset({ 0.0, 0.0, 0.0, trust, -0.5 * PENALTY * slack_, 0.0 });
+  linearize(trust);
   for (int round = 0; round < CUT_ROUNDS; ++round)
     if (!programme_.solve() || !addCuts(trust))
       break;
   const auto& x = programme_.point();
-  const Eigen::Vector3d center = from.center + trust * Eigen::Vector3d(x[0], x[1], x[2]);
-  return { center.cwiseMax(centers_.lower).cwiseMin(centers_.upper), std::max(0.0, from.size + trust * x[3] / reach_) };
+  const Eigen::Vector3d center = from_.center + trust * Eigen::Vector3d(x[0], x[1], x[2]);
+  return { center.cwiseMax(centers_.lower).cwiseMin(centers_.upper), std::max(0.0, from_.size + trust * x[3] / reach_),
+           std::clamp(from_.angle + turn_ * x[5], angles_.lower(), angles_.upper()) };
 }
 
 Candidate LocalSearch::climb(const Candidate& start, double precision)
@@ -199,8 +227,8 @@ Candidate LocalSearch::climb(const Candidate& start, double precision)
   while (best.violation > 0.0 && best.candidate.size > 0.0)
   {
     reduction = std::max(2.0 * best.violation / reach_, 2.0 * reduction);
-    best = assess({ best.candidate.center, std::max(0.0, best.candidate.size - reduction) });
+    best = assess({ best.candidate.center, std::max(0.0, best.candidate.size - reduction), best.candidate.angle });
   }
-  return best.violation > 0.0 ? Candidate{ best.candidate.center, 0.0 } : best.candidate;
+  return best.violation > 0.0 ? Candidate{ best.candidate.center, 0.0, best.candidate.angle } : best.candidate;
 }
 }  // namespace pkm_workspace

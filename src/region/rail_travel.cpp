@@ -119,29 +119,22 @@ Box RailTravel::centers() const
   return search_box_ ? intersection(box, *search_box_) : box;
 }
 
-void RailTravel::addForms(const Box& places, double size, const std::vector<GrowingVector>& points,
-                          std::vector<AffineForm<double>>& forms) const
+void RailTravel::addForms(const CenteredBox<double>& points, std::vector<AffineForm<double>>& forms) const
 {
   if (!binds_)
     return;
-  addSearchBox(places, forms);
-  const CenteredBox<double> box(places);
   const JointLimits<double>& limits = model_.condition<JointLimits>();
-  for (const GrowingVector& k : points)
-  {
-    const CenteredBox<double> moved = box.moved(size, k);
-    const MachineForms<double> machine = model_.legs().evaluate(moved);
-    const Place<double, CenteredBox<double>> place{ model_.legs(), machine, moved };
-    for (int leg = 0; leg < 3; ++leg)
-      for (const int side : { 0, 1 })
-      {
-        if (!limits.limited(static_cast<std::size_t>(leg), side))
-          continue;
-        AffineForm<double> form = limits.form(static_cast<std::size_t>(leg), side, place);
-        form.gradient[static_cast<std::size_t>(axis_)] = (side == 0 ? sense(leg) : -sense(leg)) * reach_;
-        forms.push_back(form);
-      }
-  }
+  const MachineForms<double> machine = model_.legs().evaluate(points);
+  const Place<double, CenteredBox<double>> place{ model_.legs(), machine, points };
+  for (int leg = 0; leg < 3; ++leg)
+    for (const int side : { 0, 1 })
+    {
+      if (!limits.limited(static_cast<std::size_t>(leg), side))
+        continue;
+      AffineForm<double> form = limits.form(static_cast<std::size_t>(leg), side, place);
+      form.gradient[static_cast<std::size_t>(axis_)] = (side == 0 ? sense(leg) : -sense(leg)) * reach_;
+      forms.push_back(form);
+    }
 }
 
 void RailTravel::addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const
@@ -149,7 +142,7 @@ void RailTravel::addSearchBox(const Box& places, std::vector<AffineForm<double>>
   const CenteredBox<double> centered(places);
   AffineForm<double> travel;
   travel.gradient[static_cast<std::size_t>(axis_)] = reach_;
-  for (int j = 0; search_box_ && j < 3; ++j)
+  for (int j = 0; binds_ && search_box_ && j < 3; ++j)
   {
     const Interval& e = directionOfRails(machine_)[static_cast<std::size_t>(j)];
     if (j == axis_ || e == Interval(0.0))

@@ -8,6 +8,7 @@
 #include "pkm_workspace/region/growing_prisms.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/polytope.h"
+#include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
 {
@@ -173,5 +174,8 @@ void setPlace(const PlaceWish& wish, RegionQuery& query)
   }
   if (wish.base_z)
     stand(*wish.base_z, wish.search_box, query);
+  query.angles = 0.0;
+  if (wish.turned)
+    setTurned(query);
 }
 }  // namespace pkm_workspace

@@ -51,6 +51,8 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
   const Criterion::Aspect aspect = query.criterion.aspect;
   if (aspect == Criterion::Aspect::BOTH)
     throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");
+  if (query.turns())
+    throw std::invalid_argument(NOT_TURNED);
   study.query.budget = query.budget.inTurns(PARTS);
   study.query.progress = [&](const RegionProgress& state) {
     tell(machine.name() + ", largest region: " +

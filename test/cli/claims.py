@@ -69,7 +69,9 @@ def found_region(case, shape):
     if case.region:
         return case.size, case.region
     size = float(re.search(rf"^  (?:edge|radius|height|factor) .*?  {N}$", case.text, re.M)[1])
-    return size, Region(shape, numbers(row(case.text, "dimensions")), numbers(row(case.text, "center")))
+    angle = re.search(rf"^  turned by +{N} rad", case.text, re.M)
+    return size, Region(shape, numbers(row(case.text, "dimensions")), numbers(row(case.text, "center")),
+                        angle and float(angle[1]))
 
 
 def without_region(case, shape):
@@ -83,7 +85,10 @@ def largest(case, match):
     shape, found = match["shape"], bool(match["first"])
     size, region = (found_region if found else without_region)(case, shape)
     if found:
+        hold((region.angle is not None) == bool(match["turned"]), match[0], "is turned by", region.angle)
         all_good(case, region)
+    elif match["turned"]:
+        region.angle = 0.0
     centers = list(placements(case, region))
     if match["where"] == "with this center":
         centers = [numbers(" ".join(case.words[case.words.index("--center") + 1:][:3]))]
@@ -102,7 +107,7 @@ def largest(case, match):
     if match["size"]:
         hold(not found or float(match["size"]) >= size, "the bound is below the size")
         if size == 0:  # less than the digits that are printed
-            size, region = 1, Region(shape, without_region(case, shape)[1].dimensions, region.center)
+            size, region = 1, Region(shape, without_region(case, shape)[1].dimensions, region.center, region.angle)
         return no_region(case, region, beyond(float(match["size"]), size), centers, match)
     return large_cylinder(case, match, centers)
 

@@ -26,7 +26,7 @@ COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | TIME | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
-    | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "multi-precision"},
+    | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "turned", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is larger than a bound holds a bad point, wherever it is: regions to try that on."""
 
+import math
 import re
 
 from oracle import Region
@@ -32,10 +33,12 @@ def grown(region, factor, match, center):
     if base:
         height = dimensions[0] if region.shape in ("disc", "cylinder") else dimensions[2]
         center = [*center[:2], float(base[1]) + height / 2]
-    return Region(region.shape, dimensions, center)
+    return Region(region.shape, dimensions, center, region.angle)
 
 
 def no_region(case, region, factor, centers, match=None):
     for center in centers:
         large = grown(region, factor * MORE, match, center) if match else region.scaled(factor * MORE, center)
+        if region.angle is not None:  # by its own angle, one that is near, or any
+            large.angle += case.rng.choice((0, case.rng.gauss(0, 0.02), case.rng.uniform(0, 2 * math.pi)))
         hold(large.bad(case.machine, case.criterion, case.rng), large.dimensions, "at", large.center, "seems good")

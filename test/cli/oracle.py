@@ -169,11 +169,24 @@ class Machine:
         return values
 
 
-class Region:
-    """A box with full sides, or a round shape: sphere [radius], disc [0, radius], cylinder [height, radius]."""
+def turned(offset, angle):
+    """About z, from x to y, if there is an angle."""
+    if not angle:
+        return offset
+    c, s = math.cos(angle), math.sin(angle)
+    return [c * offset[0] - s * offset[1], s * offset[0] + c * offset[1], offset[2]]
 
-    def __init__(self, shape, dimensions, center):
-        self.shape, self.dimensions, self.center = shape, dimensions, center
+
+class Region:
+    """A box with full sides, or a round shape: sphere [radius], disc [0, radius], cylinder [height, radius]. One that
+    may be turned about the vertical has an angle."""
+
+    def __init__(self, shape, dimensions, center, angle=None):
+        self.shape, self.dimensions, self.center, self.angle = shape, dimensions, center, angle
+
+    def seen_from_center(self, point):
+        """Along its own axes."""
+        return turned(plus(point, self.center, -1), -(self.angle or 0))
 
     def point(self, u):
         """Of parameters in [0, 1]^3."""
@@ -187,11 +200,11 @@ class Region:
             offset = [radius * flat * math.cos(turn), radius * flat * math.sin(turn), radius * height]
         else:
             offset = [side * (x - 0.5) for side, x in zip(d, u)]
-        return plus(self.center, offset)
+        return plus(self.center, turned(offset, self.angle))
 
     def contains(self, point):
         """But for rounding."""
-        x, y, z = plus(point, self.center, -1)
+        x, y, z = self.seen_from_center(point)
         d = [length * (1 + 1e-14) for length in self.dimensions]
         if self.shape in ("disc", "cylinder"):
             return math.hypot(x, y) <= d[1] and abs(z) <= d[0] / 2
@@ -200,7 +213,7 @@ class Region:
         return all(abs(offset) <= side / 2 for offset, side in zip((x, y, z), d))
 
     def scaled(self, factor, center):
-        return Region(self.shape, [factor * x for x in self.dimensions], center)
+        return Region(self.shape, [factor * x for x in self.dimensions], center, self.angle)
 
     def samples(self, rng, count):
         """Corners and middles first, then points of which many lie on the border."""
@@ -213,7 +226,7 @@ class Region:
 
     def nearest(self, point):
         """The point of it that is next to one, or nearly so."""
-        offset, d = plus(point, self.center, -1), self.dimensions
+        offset, d = self.seen_from_center(point), self.dimensions
         if self.shape == "sphere":
             far = math.hypot(*offset)
             return plus(self.center, offset, min(1.0, d[0] / far if far else 1.0))
@@ -223,7 +236,7 @@ class Region:
             offset = [share * offset[0], share * offset[1], max(-d[0] / 2, min(d[0] / 2, offset[2]))]
         else:
             offset = [max(-side / 2, min(side / 2, x)) for x, side in zip(offset, d)]
-        return plus(self.center, offset)
+        return plus(self.center, turned(offset, self.angle))
 
     def climb(self, value, point, rng):
         """From a point of it to one where a value is larger, in ever smaller steps. @return the value, and the point"""

@@ -22,7 +22,7 @@ SHAPES = (("cube", ), ("square", ), ("box", "--proportions", 2, 1, 1), ("sphere"
 # claim: what makes it wrong
 WRONG = {
     "largest": (times(r"dimensions +(?:0\.0+ x )?", 1.5), times(r"center +\(", 99),
-                times(r"of\s+a\s+size\s+above\s+", 0.7)),
+                times(r"of\s+a\s+size\s+above\s+", 0.7), times(r"turned by +", 1.3)),
     "status": (instead("proven", "none"), ),
     "inside": (times(r"sides\s+\(", 9), times(r"radius ", 9)),
     "remark": (instead(r"all\s+rails\s+stay\s+within\s+their\s+limits|Joint limits are off: ([^.]|\.\d)*\.",
@@ -116,6 +116,9 @@ class Proved(CommandTest):
             accuracy = ("--accuracy", self.accuracy(name))
             self.held(name, "largest", "--center", *center, *accuracy)
             self.held(name, "largest", "--search-box", *box, "--shape", "disc", *accuracy)
+            self.held(name, "largest", "--turned", "--shape", "square", *accuracy)
+            for place in ([], ["--base-z", center[2]], ["--center", *center], ["--search-box", *box]):
+                self.held(name, "largest", "--turned", *place, "--shape", "box", "--proportions", 2, 1, 1, *accuracy)
             for wish in (["cube"], ["disc"], ["box", "--proportions", 2, 1, 1], ["cylinder", "--ratio", 0.5, 1]):
                 self.held(name, "largest", "--base-z", center[2], "--shape", *wish, *accuracy)
             span = self.machines[name].span

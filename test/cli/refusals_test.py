@@ -66,6 +66,7 @@ REFUSALS = [
     (LARGEST + "--base-z 0 --center 0 0 0", "--center 0 0 0, --base-z 0: .*give the search box X X Y Y Z Z"),
     (LARGEST + "--base-z 2 --search-box 0 1 0 1 0 1", "--search-box .*, --base-z 2: .*base_z = 2 m is not between"),
     (LARGEST + "--base-z 0 --shape sphere", "--base-z 0: .*a sphere has none: give a shape that has one"),
+    (LARGEST + "--turned --shape sphere", "--turned: .*a sphere turned about the vertical is the same sphere"),
     (LARGEST + "--base-z nan", "--base-z nan: nan is not a finite number"),
     (LARGEST + "--base-z 1e10", "--base-z 1e10: 1e10 is out of range; allowed: a number .m. within 1000000000 m"),
     (LARGEST + "--radius 1", "--radius 1: a radius is for the shape cylinder only, the shape is cube"),

@@ -16,7 +16,8 @@ NO_REGION = (rf"no (?P<shape>\w+)(?P<given>{GIVEN}) "
              r"with a radius of (?P<from>\S+) to (?P<to>\S+) "
              r"times its height and a volume above (?P<volume>\S+) m\^3), "
              r"(?P<where>wherever its center|with this center|with its center in the search box|"
-             rf"standing on z = {N} m(?: with the middle of its base in the search box)?), "
+             rf"standing on z = {N} m(?: with the middle of its base in the search box)?)"
+             r"(?P<turned> and however it is turned about the vertical)?, "
              rf"has all its points {QUALITY}\.(?: The rails are parallel: the same holds all along them\.)?")
 CENTERS = (r"Of the centers from (?P<lower>\(.*?\)) m to (?P<upper>\(.*?\)) m, (?P<share>some|all|none) are proved to,?"
            r"(?: and some not to,)? carry a box with sides (?P<sides>\(.*?\)) m\.")
@@ -43,7 +44,8 @@ STUDY = (r"Proved: (?:the machine with \S+ = (?P<parameter>\S+) m has the \w+ of
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
     "largest": (rf"Proved: (?P<first>every point of the \w+{GIVEN} with this center and size"
-                rf"(?:, standing on z = {N} m,)? is {QUALITY}; )?" + NO_REGION,
+                rf"(?:, turned by this angle about the vertical,)?(?:, standing on z = {N} m,)? is {QUALITY}; )?"
+                + NO_REGION,
                 claims.largest),
     "status": (r"status +((?:proven|none) \((?:proved to the accuracy asked for|no region (?:as large as the accuracy|"
                r"of any size) exists where the center may lie, proved(?:: the joint limits hold .* "

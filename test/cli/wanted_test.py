@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Regions as people want them: on a plane, of given measures, of the tool's tip, of a workpiece."""
 
+import itertools
 import math
 import struct
 import unittest
@@ -61,6 +62,29 @@ class Wanted(CommandTest):
         self.assertRegex(text, rf"this center and size, {where} is .* above \S+, {where} has all")
         lowest = self.largest(ORTHOGLIDE, "--base-z", -0.5, "--search-box", 0, 0, 0, 0, -1, 1)
         self.assertEqual(lowest["center"][:2], [0, 0])
+
+    def test_regions_that_are_turned(self):
+        box = ("--shape", "box", "--proportions", 2, 1, 0.5)
+        straight, turned = self.largest(ORTHOGLIDE, *box), self.largest(ORTHOGLIDE, *box, "--turned")
+        self.assertIsNone(straight["angle"])
+        self.assertGreater(turned["size"], straight["size_upper_bound"] + 0.1)
+        self.assertBrackets(turned["size"], 0.66912, turned["size_upper_bound"], 1e-5)
+        c, s = math.cos(turned["angle"]), math.sin(turned["angle"])
+        for factor, verdict in ((1 - 1e-9, "inside"), (turned["size_upper_bound"] / turned["size"] + 1e-3, "outside")):
+            corners = [[factor * side * share for side, share in zip(turned["dimensions"], shares)]
+                       for shares in itertools.product((-0.5, 0.5), repeat=3)]
+            file = self.file("corners", "".join(f"{c * x - s * y!r} {s * x + c * y!r} {z!r}\n" for x, y, z in corners))
+            check = self.answer("check", "--urdf", ORTHOGLIDE, "--shape", "polytope", "--vertices", file, "--size", 1,
+                                "--center", *turned["center"])
+            self.assertEqual(check["verdict"], verdict)
+        text = " ".join(self.text("largest", "--urdf", ORTHOGLIDE, *box, "--turned").split())
+        self.assertRegex(text, r"turned by 2\.356\d+ rad from x to y, 135 degrees")
+        self.assertRegex(text, r"this center and size, turned by this angle about the vertical, is dextrous")
+        self.assertIn("wherever its center and however it is turned about the vertical, has all its points", text)
+        for shape in ("sphere", "disc"):
+            self.assertIn(f"a {shape} turned about the vertical is the same {shape}",
+                          self.refusal("largest", "--urdf", ORTHOGLIDE, "--shape", shape, "--turned"))
+        self.assertIn("--turned", self.refusal("compare", "--urdf", ORTHOGLIDE, "--turned"))
 
     def test_a_tool_moves_every_answer(self):
         tip = [0.0625, -0.03125, -0.125]

@@ -32,4 +32,6 @@ IntervalVector transformed(const Pose& pose, const IntervalVector& p);
 /// the machine itself. Rails count as parallel iff they did before.
 /// @throws std::invalid_argument as rotationOf, and where rounding loses the machine: far away from the frame's origin
 Machine machineInFrame(const Machine& machine, const Pose& pose);
+/// The same for all rotations and translations of the enclosures: what is proved of it holds for each of them.
+Machine machineInFrame(const Machine& machine, const IntervalMatrix& rotation, const IntervalVector& translation);
 }  // namespace pkm_workspace

@@ -44,8 +44,9 @@ private:
   struct Node
   {
     Box centers;
-    double bound;  ///< certified: no center of the box carries a larger region
-    double room;   ///< of the parent: among equal bounds the roomiest is first
+    double bound;           ///< certified: no center of the box carries a larger region
+    double room;            ///< of the parent: among equal bounds the roomiest is first
+    Interval angles = 0.0;  ///< by which the region is turned [rad]
     bool operator<(const Node& other) const
     {
       return bound < other.bound || (bound == other.bound && room < other.room);
@@ -74,12 +75,16 @@ private:
   bool expand(const std::vector<Node>& wave);
   Look lookAt(const Node& node, double size, CenterTest& center_test) const;
   Look ask(const Node& node, double size, CenterTest& center_test) const;
-  bool isNarrow(const Box& centers) const;
+  double sweepOf(const Node& node) const;
+  bool dividesAngles(const Node& node) const;
+  void divide(const Node& node, const Look& look);
+  bool tellsReasons() const { return query_.closed && !query_.turns(); }
+  bool isNarrow(const Node& node) const;
   void settle(const Node& node, const Look& look);
   void noteLowered(const Reason& reason);
   void close(const Node& node, Reason reason) const;
   void grow();
-  void tryCenter(const Box& centers, double size);
+  void tryCenter(const Node& node, double size);
   std::int64_t looks() const { return boxes_; }
   std::size_t waveSize() const;
   static std::size_t bytes(std::size_t open);

@@ -7,6 +7,8 @@
 
 #include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/dexterity/verdict.h"
+#include "pkm_workspace/interval/turning.h"
+#include "pkm_workspace/region/candidate.h"
 #include "pkm_workspace/region/linear_programme.h"
 #include "pkm_workspace/region/rail_travel.h"
 #include "pkm_workspace/region/reason.h"
@@ -36,7 +38,9 @@ public:
 
   /// Why no center in the box, or with its place there, carries a region of this size, nor of a larger one; nothing
   /// where that is not proved.
-  std::optional<Closing> excludes(const Box& centers, double size);
+  /// @param angles by any of which the region may be turned about the vertical, narrower than a quarter; a single 0
+  /// where it is not to be turned. Of others there are no reasons
+  std::optional<Closing> excludes(const Box& centers, double size, const Interval& angles = 0.0);
 
   /// After excludes() told why: what proves it.
   const Reason& reason() const { return reason_; }
@@ -45,25 +49,27 @@ public:
   double room() const { return room_; }
   /// Whether nothing that is known so far speaks against one region, in floating point: neither the criterion at its
   /// witness points nor a bad point within it.
-  bool isPromising(const Eigen::Vector3d& center, double size);
+  bool isPromising(const Candidate& region);
 
 private:
   /// How far a point of the body is beyond a strut sphere.
   struct Excess
   {
     GrowingVector place;
-    AffineForm<double> form;
+    TurningForm form;
   };
 
+  void place(const Box& centers, double size, const Interval& angles);
+  TurningForm overNode(std::size_t place, const AffineForm<double>& form) const;
   std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
   std::optional<Closing> excludesAlone(const Box& centers, double size, const BoxKernel& kernel);
   bool addKnown(const Box& centers, double size);
   bool addTravel(const Box& places, double size);
   bool addNecessary(std::size_t k);
   template <class Term>
-  bool add(const AffineForm<double>& form, const Term& term);
-  bool addSphere(const StrutSphere& sphere, const CenteredBox<double>& box, const Box& centers, double size);
-  bool reachesInto(const StrutSphere& sphere, const CenteredBox<double>& box, double size) const;
+  bool add(const TurningForm& form, const Term& term);
+  bool addSphere(const StrutSphere& sphere, const Box& centers, double size);
+  bool reachesInto(const StrutSphere& sphere, double size) const;
   bool combinationExcludes();
   bool addCuts();
 
@@ -72,16 +78,19 @@ private:
   const WitnessPoints& witnesses_;
   const RailTravel* travel_;
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
-  std::vector<AffineForm<double>> forms_;
+  std::vector<TurningForm> forms_;
   std::vector<AffineForm<double>> travel_forms_;
   std::vector<GrowingVector> between_;  ///< points of the family, exactly, between its extreme points
+  CenteredBox<double> box_;             ///< moved by the place of a point, it holds those of its point
+  std::vector<GrowingVector> places_;   ///< of the witness points, then of those between
+  std::optional<TurningBox> turning_;   ///< where regions may be turned: what these two are of
   std::vector<Excess> excesses_;        ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
   const bool keeps_reasons_;
   std::vector<FormOrigin> origins_;  ///< MOST for each witness point
   std::vector<ReasonTerm> terms_;    ///< one for each of the forms
   Reason reason_;                    ///< of the box that was excluded last
-  LinearProgramme<4> programme_;     ///< unknowns: delta, and the room in units of ROOM
+  LinearProgramme<5> programme_;     ///< unknowns: delta, tau of the angle, and the room in units of ROOM
   double room_ = 0.0;
 };
 }  // namespace pkm_workspace

@@ -17,8 +17,8 @@ class Incumbent
 public:
   /// Keeps references. @param known the size that regions have to exceed, proved or not
   /// @param most boxes that all proofs together may take; 0 = no limit
-  Incumbent(const BoxTest& test, const RegionQuery& query, const RunningBudget& budget, double known,
-            std::int64_t most);
+  Incumbent(const Machine& machine, const BoxTest& test, const RegionQuery& query, const RunningBudget& budget,
+            double known, std::int64_t most);
 
   const Candidate& candidate() const { return candidate_; }
   double size() const { return candidate_.size; }
@@ -27,12 +27,15 @@ public:
 
   /// Whether a region of this size would be looked at.
   bool asksFor(double size) const;
-  /// Takes the region if it is larger and proved. @return with a bad point if one stands in the way
+  /// Takes the region if it is larger and proved. @return with a bad point if one stands in the way; where regions may
+  /// be turned, as seen from its center and along its axes
   ContainmentResult certify(const Candidate& region);
 
 private:
   std::int64_t allowedBoxes(double size) const;
+  ContainmentResult checkTurned(const Candidate& region, const Budget& budget) const;
 
+  const Machine& machine_;
   const BoxTest& test_;
   const RegionQuery& query_;
   const RunningBudget& budget_;

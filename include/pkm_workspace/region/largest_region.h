@@ -51,17 +51,20 @@ struct RegionQuery
   Precision precision = Precision::DOUBLE;
   std::optional<Box> search_box;                        ///< bounds the center [m]; a side may have zero width
   std::optional<double> base_z;                         ///< regions stand on this plane [m]: see setPlace()
+  Interval angles = 0.0;                                ///< by which regions may be turned about z [rad]: setTurned()
   Budget budget;                                        ///< max_boxes counts boxes of centers
   std::function<void(const RegionProgress&)> progress;  ///< called now and then, if given
   double progress_period = PROGRESS_PERIOD;             ///< [s], >= 0
-  ProofLog<Box, Reason>
-      closed;  ///< told each box of centers that is closed (reason.h), if given; of a free ratio nothing
+  ProofLog<Box, Reason> closed;  ///< told each box of centers that is closed (reason.h), if given; of a free ratio or
+                                 ///< where regions turn nothing
 
   void validate(Problems& problems) const;
   /// Whether the search box says anything about the centers along an axis.
   bool bounds(int axis) const;
   /// Whether there is one but for the plane that regions stand on.
   bool hasSearchBox() const { return search_box && (!base_z || bounds(0) || bounds(1)); }
+  /// Whether regions may be turned about the vertical.
+  bool turns() const { return angles != Interval(0.0); }
   /// Where centers are to be along an axis that leaves them free: in the middle of the search box, otherwise at the
   /// zero configuration [m].
   double levelAlong(int axis, const Machine& machine) const;
@@ -95,6 +98,8 @@ struct LargestRegion
   std::optional<RatioRange> ratio;                   ///< the query's: then the bracket is that of the volume
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< [m], in the machine's root frame; meaningless when size is 0
   double size = 0.0;                                 ///< certified: c + size K satisfies the criterion
+  /// About z, from x to y, by which K is turned there [rad]: certified of every angle within 2^-50 of it, relative.
+  std::optional<double> angle;
   /// Certified: no such region is larger, anywhere in the search box. Of a free ratio: no cylinder is higher, whatever
   /// its ratio; the cylinder of the largest volume may be far below.
   double size_upper_bound = 0.0;

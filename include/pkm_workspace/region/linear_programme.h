@@ -60,6 +60,6 @@ private:
   Term contradiction_;  ///< the row that the active ones contradict
 };
 
-extern template class LinearProgramme<4>;
 extern template class LinearProgramme<5>;
+extern template class LinearProgramme<6>;
 }  // namespace pkm_workspace

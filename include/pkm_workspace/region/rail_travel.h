@@ -34,11 +34,12 @@ public:
   /// Whether limits or the search box may leave a place no t: otherwise each has one, and t is of no concern.
   bool binds() const { return binds_; }
 
-  /// Appends forms over a box of places and the travel t = reach * delta[axis], |t| <= reach, that are not negative
-  /// where a region keeps the joint limits at these points of its shape and its center lies in the search box [m].
-  /// Valid where the struts reach. None where nothing binds.
-  void addForms(const Box& places, double size, const std::vector<GrowingVector>& points,
-                std::vector<AffineForm<double>>& forms) const;
+  /// Appends forms over a box of points, flat across the axis, and the travel t = reach * delta[axis], |t| <= reach,
+  /// that are not negative where these keep the joint limits [m]. Valid where the struts reach. None where nothing
+  /// binds.
+  void addForms(const CenteredBox<double>& points, std::vector<AffineForm<double>>& forms) const;
+  /// The same over a box of places: not negative where the center lies in the search box.
+  void addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const;
 
   /// The place of a point, in floating point.
   Eigen::Vector3d placeOf(const Eigen::Vector3d& point) const;
@@ -68,7 +69,6 @@ private:
   Interval alongRail(int leg) const;
   int sense(int leg) const { return senses_[static_cast<std::size_t>(leg)]; }
   bool alwaysLeavesTravel(double size_bound) const;
-  void addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const;
   Travel travelAt(const Eigen::Vector3d& place, double size, const std::vector<GrowingVector>& points) const;
 
   Machine machine_;

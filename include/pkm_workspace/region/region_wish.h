@@ -32,12 +32,14 @@ struct ShapeWish
 /// @throws std::invalid_argument for an unknown name, for what is missing, out of range, too much or of another shape
 void setShape(const ShapeWish& wish, RegionQuery& query);
 
-/// Where a region may be: in a search box, about one center, on a plane, or on a plane within a search box.
+/// Where a region may be: in a search box, about one center, on a plane, or on a plane within a search box; and whether
+/// at any angle.
 struct PlaceWish
 {
   std::optional<Box> search_box = {};          ///< bounds the center, on a plane the middle of the base [m]
   std::optional<Eigen::Vector3d> center = {};  ///< [m]
   std::optional<double> base_z = {};           ///< the lowest face lies on z = base_z [m]
+  bool turned = false;                         ///< whether it may be turned about the vertical: not for round shapes
 };
 
 /// Sets where the query looks; on a plane the shape, too: the family that stands on its center.

@@ -11,6 +11,9 @@
 
 namespace pkm_workspace
 {
+/// Why a comparison refuses regions that may be turned.
+constexpr char NOT_TURNED[] = "machines are compared by regions that are not turned";
+
 /// What section 4.4 of the paper compares machines by.
 struct Comparison
 {
