@@ -80,7 +80,7 @@ def read_value(message, name, value):
         return kind(*value)
     if name == "vertices":
         return [point if isinstance(point, Point) else Point(*point) for point in value]
-    if name in ("joint_limits", "hinge_limits") and isinstance(value, bool):
+    if name in ("joint_limits", "hinge_limits", "turned") and isinstance(value, bool):
         return CriterionRequest.ON if value else CriterionRequest.OFF
     if name in CHOICES and isinstance(value, str):
         choice = getattr(CriterionRequest, value.upper(), None)

@@ -68,12 +68,21 @@ ContainmentResult check(const BoxTest& test, const Box& box)
   return checkContainment(test, *makeBox(2.0 * box.halfWidths()), center, 1.0, LOOKS);
 }
 
+/// Half the sides of a box along the axes within one that is turned about its center.
+Eigen::Vector3d heldByTurned(const Eigen::Vector3d& half_sides, double angle)
+{
+  const double s = std::abs(std::sin(angle));
+  const double c = std::abs(std::cos(angle));
+  const double share = std::min(half_sides.x(), half_sides.y()) / (s + c);
+  return s == 0.0 ? half_sides : Eigen::Vector3d(share, share, half_sides.z());
+}
+
 /// Half the sides of a box that the region holds around its center; 0 along an axis across which the region is flat.
 Eigen::Vector3d heldBy(const Region& region)
 {
   const std::vector<double>& dimensions = region.solid.dimensions;
   if (region.solid.type == shape_msgs::SolidPrimitive::BOX)
-    return 0.5 * Eigen::Vector3d(dimensions[0], dimensions[1], dimensions[2]);
+    return heldByTurned(0.5 * Eigen::Vector3d(dimensions[0], dimensions[1], dimensions[2]), region.angle);
   if (dimensions.size() == 1)
     return Eigen::Vector3d::Constant(dimensions[0] / std::sqrt(3.0));
   return { dimensions[1] / std::sqrt(2.0), dimensions[1] / std::sqrt(2.0), 0.5 * dimensions[0] };
@@ -184,6 +193,7 @@ void BoxMarker::grow()
       RegionQuery query = context_.query();
       query.shape = makeBox(before.upper - before.lower);
       query.ratio.reset();
+      query.angles = 0.0;
       query.search_box.reset();
       query.budget.time_limit = std::min(query.budget.time_limit, GROWTH_SECONDS);
       query.budget.stop = stop.get();

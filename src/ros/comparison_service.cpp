@@ -76,6 +76,9 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
                                 "' must be empty: each machine is looked at in the frame of its own root link");
   RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters,
                                   context_.parameters.query.budget.time_limit);
+  if (request.query.turned == RegionRequest::ON)
+    throw std::invalid_argument(std::string("turned = ON: ") + NOT_TURNED);
+  query.angles = 0.0;
   leaveJointsToEach(request.query.criterion, context_.machine(), context_.parameters.query.criterion, query.criterion);
   std::vector<FramedMachine> machines = readMachines(request.urdfs);
   machines.insert(machines.begin(), context_.frames.root());

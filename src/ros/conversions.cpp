@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/region/turned_region.h"
 #include "pkm_workspace/report/largest_sentence.h"
 #include "pkm_workspace/ros/criterion_message.h"
 
@@ -51,8 +52,6 @@ Pose fromMessage(const geometry_msgs::Pose& pose)
 
 namespace
 {
-const Eigen::IOFormat POINT_TEXT(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
-
 /// What K measures along the axes.
 Eigen::Vector3d proportionsOf(const Shape& shape)
 {
@@ -112,9 +111,15 @@ PlaceWish placeOf(const RegionRequest& request, const PlaceWish& own, const Shap
     wish.base_z = request.base_z;
   else if (request.base_z != 0.0)
     problems.push_back("base_z must be 0 [m] unless use_base");
+  if (request.turned > RegionRequest::OFF)
+    problems.push_back("turned = " + std::to_string(int{ request.turned }) + " must be OWN = 0, ON = 1 or OFF = 2");
+  const bool turned =
+      request.turned == RegionRequest::OWN ? own.turned && canTurn(shape.kind()) : request.turned == RegionRequest::ON;
+  wish.turned = turned;
   if (request.use_search_box || request.use_center || request.use_base)
     return wish;
   wish = own;
+  wish.turned = turned;
   if (!shape.standing() && shape.kind() != "polytope")  // of which setPlace() says what is wrong
     wish.base_z.reset();
   return wish;
@@ -174,6 +179,9 @@ void describeRegion(const LargestRegion& region, const Shape& shape, Region& mes
     message.vertices.push_back(toMessage(vertex.per_size));
   message.solid.dimensions = solid.dimensions;
   message.center = toMessage(solid.center);
+  message.turned = region.angle.has_value();
+  message.angle = region.angle.value_or(0.0);
+  message.orientation = toMessage(Eigen::Quaterniond(Eigen::AngleAxisd(message.angle, Eigen::Vector3d::UnitZ())));
   message.size = region.size;
   message.size_upper_bound = region.size_upper_bound;
   message.volume = region.volume;
@@ -249,45 +257,10 @@ JointRanges jointRangesOf(const Region& region)
   message.hypotheses = region.hypotheses;
   message.solid = region.solid;
   message.center = region.center;
+  message.orientation = region.orientation;
   message.vertices = region.vertices;
   message.size = region.size;
   message.rails = region.joint_ranges;
   return message;
-}
-
-std::string describe(const RegionQuery& query)
-{
-  TextStream text;
-  text << "largest " << query.shape->name();
-  if (query.ratio)
-    text << ", radius " << query.ratio->lower << " to " << query.ratio->upper << " times its height";
-  if (query.base_z)
-    text << ", standing on z = " << *query.base_z << " m";
-  if (query.hasSearchBox())
-    text << (query.base_z ? ", the middle of its base from " : ", its center from ")
-         << query.search_box->lower.format(POINT_TEXT) << " to " << query.search_box->upper.format(POINT_TEXT) << " m";
-  text << ", " << describe(query.criterion) << ", accuracy " << query.accuracy << " m, within "
-       << query.budget.time_limit << " s";
-  return text.str();
-}
-
-std::string summary(const Answer& answer)
-{
-  const LargestRegion& region = answer.region;
-  TextStream text;
-  if (region.size > 0.0)
-  {
-    text << region.shape->name() << " at " << region.center.format(POINT_TEXT) << " m of frame '"
-         << answer.question.in.frame << "', " << region.shape->sizeMeaning() << ' ' << region.size << ", dimensions";
-    for (const double length : region.shape->dimensions(region.size))
-      text << ' ' << length;
-    text << " m";
-    if (region.ratio)
-      text << ", volume " << region.volume << " m^3";
-    text << ". ";
-  }
-  text << describe(region, *answer.question.in.machine, answer.question.query) << ' '
-       << region.boxes + region.verification_boxes << " boxes, " << nearly(region.seconds, 3) << " s";
-  return text.str();
 }
 }  // namespace pkm_workspace

@@ -18,7 +18,8 @@ constexpr double SLOPE = 0.67;
 /// Where nothing is drawn, the end of a rail is no farther than this from its range [L].
 constexpr double FAR = 0.75;
 
-Vector3d halfSidesOf(const Region& region)
+/// As long as it is not turned.
+Vector3d straightHalfSidesOf(const Region& region)
 {
   const std::vector<double>& dimensions = region.solid.dimensions;
   Vector3d reach = Vector3d::Zero();
@@ -30,6 +31,15 @@ Vector3d halfSidesOf(const Region& region)
     return 0.5 * Vector3d(dimensions[0], dimensions[1], dimensions[2]);
   const double radius = dimensions.back();
   return { radius, radius, dimensions.size() == 1 ? radius : 0.5 * dimensions.front() };
+}
+
+/// Of a box along the axes that holds it.
+Vector3d halfSidesOf(const Region& region)
+{
+  const double s = std::abs(std::sin(region.angle));
+  const double c = std::abs(std::cos(region.angle));
+  const Vector3d straight = straightHalfSidesOf(region);
+  return { c * straight.x() + s * straight.y(), s * straight.x() + c * straight.y(), straight.z() };
 }
 
 std::vector<Vector3d> cornersOf(const Vector3d& center, const Vector3d& half_sides)

@@ -9,6 +9,7 @@
 
 #include "labels.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/interval/turning.h"
 #include "pkm_workspace/region/convex_hull.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
@@ -29,15 +30,21 @@ Eigen::Vector3d sidesOf(const Region& region)
   return Eigen::Map<const Eigen::Vector3d>(region.solid.dimensions.data());
 }
 
+/// Where a point of the solid, or a vertex, is that is so far from the center.
+Eigen::Vector3d placeOf(const Region& region, const Eigen::Vector3d& offset)
+{
+  return fromMessage(region.center) + turnedAboutZ(offset, region.angle);
+}
+
 /// The corner of a box whose bit for an axis says: upper face.
-Eigen::Vector3d corner(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, unsigned bits)
+Eigen::Vector3d corner(const Region& region, const Eigen::Vector3d& sides, unsigned bits)
 {
   const Eigen::Vector3d signs((bits & 1U) ? 0.5 : -0.5, (bits & 2U) ? 0.5 : -0.5, (bits & 4U) ? 0.5 : -0.5);
-  return center + signs.cwiseProduct(sides);
+  return placeOf(region, signs.cwiseProduct(sides));
 }
 
 /// All faces as triangles, each seen from both sides: a cube of zero thickness would put rviz's display into warning.
-void addFaces(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene& scene)
+void addFaces(const Region& region, const Eigen::Vector3d& sides, Scene& scene)
 {
   Marker& faces = scene.add("region", Marker::TRIANGLE_LIST, REGION_FACES);
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -48,11 +55,11 @@ void addFaces(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene
     for (const unsigned face : { 0U, 1U << axis })
       if (face == 0U || !flat)
         for (const unsigned bits : { face, face | u, face | u | v, face, face | u | v, face | v })
-          faces.points.push_back(toMessage(corner(center, sides, bits)));
+          faces.points.push_back(toMessage(corner(region, sides, bits)));
   }
 }
 
-void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene& scene)
+void addEdges(const Region& region, const Eigen::Vector3d& sides, Scene& scene)
 {
   Marker& edges = scene.add("region", Marker::LINE_LIST, REGION_EDGES);
   edges.scale.x = 6.0 * scene.unit();
@@ -60,7 +67,7 @@ void addEdges(const Eigen::Vector3d& center, const Eigen::Vector3d& sides, Scene
     for (const unsigned axis : { 1U, 2U, 4U })
       if ((bits & axis) == 0U)
         for (const unsigned end : { bits, bits | axis })
-          edges.points.push_back(toMessage(corner(center, sides, end)));
+          edges.points.push_back(toMessage(corner(region, sides, end)));
 }
 
 /// A point at an angle on a circle of that radius across one axis.
@@ -105,10 +112,9 @@ void addDisc(const Eigen::Vector3d& center, double radius, Scene& scene)
 
 void addBox(const Region& region, Scene& scene)
 {
-  const Eigen::Vector3d center = fromMessage(region.center);
   const Eigen::Vector3d sides = sidesOf(region);
-  addFaces(center, sides, scene);
-  addEdges(center, sides, scene);
+  addFaces(region, sides, scene);
+  addEdges(region, sides, scene);
 }
 
 /// Its triangles from both sides, and the edges at which these are not in one plane.
@@ -119,7 +125,7 @@ void addPolytope(const Region& region, Scene& scene)
     corners.push_back(fromMessage(vertex));
   const std::vector<HullTriangle> triangles = convexHull(corners);
   for (Eigen::Vector3d& corner : corners)
-    corner = fromMessage(region.center) + region.size * corner;
+    corner = placeOf(region, region.size * corner);
   Marker& faces = scene.add("region", Marker::TRIANGLE_LIST, REGION_FACES);
   std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector3d> normals;
   for (const auto& [a, b, c] : triangles)
@@ -188,7 +194,8 @@ void addRegion(const Region& region, const LabelPlaces& places, Scene& scene)
     addPolytope(region, scene);
   else
     region.solid.type == shape_msgs::SolidPrimitive::BOX ? addBox(region, scene) : addRound(region, scene);
-  scene.addText("region", places.ofRegion(), nameOf(region));
+  const std::string turn = region.turned ? "\nturned by " + nearly(region.angle * 180.0 / M_PI, 4) + " degrees" : "";
+  scene.addText("region", places.ofRegion(), nameOf(region) + turn);
 }
 
 void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& label, Scene& scene)

@@ -91,6 +91,7 @@ Table tableOf(Parameters& parameters)
     { "height", entry(parameters.shape.height, "a number > 0 [m]") },
     { "footprint", entry(parameters.shape.footprint, "two numbers [x, y] > 0 [m]") },
     { "vertices", entry(parameters.shape.vertices, "a list of three numbers [x, y, z] each [m]") },
+    { "turned", entry(parameters.place.turned, "true or false") },
     { "center", entry(parameters.place.center, "three numbers [x, y, z] [m]") },
     { "base_z", entry(parameters.place.base_z, "a number [m]") },
     { "accuracy", entry(parameters.accuracy, "a number >= 0 [m]") },

@@ -25,7 +25,13 @@ def holds_value(bounds, value, *what):
 
 
 def region_in(answer):
-    return Region(answer.shape, list(answer.solid.dimensions), xyz(answer.center))
+    turn = answer.orientation
+    quaternion = 2 * math.atan2(turn.z, turn.w)
+    hold(turn.x == turn.y == 0 and abs(turn.z**2 + turn.w**2 - 1) < NEAR, turn)
+    hold(abs(math.remainder(quaternion - answer.angle, 2 * math.pi)) < NEAR, turn, answer.angle)
+    hold(answer.turned or answer.angle == 0, answer.angle)
+    angle = answer.angle if answer.turned else None
+    return Region(answer.shape, list(answer.solid.dimensions), xyz(answer.center), angle)
 
 
 def ranges(case, rails):
@@ -257,7 +263,8 @@ def region_told(case, match):
     if match["found"]:
         case.size = float(match["size_told"])
         case.region = Region(match["found"], [float(x) for x in match["dimensions"].split()],
-                             [float(x) for x in match["center"].split(", ")])
+                             [float(x) for x in match["center"].split(", ")],
+                             match["angle"] and float(match["angle"]))
     corners = re.search(r"its center from \((.*?)\) to \((.*?)\) m", case.definition)
     if corners:
         ends = [[float(x) for x in corner.split(", ")] for corner in corners.groups()]

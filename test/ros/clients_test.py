@@ -39,6 +39,9 @@ class ClientsTest(unittest.TestCase):
         self.assertAlmostEqual(cylinder[0], cylinder[1], places=12)
         standing = self.machine.largest_region(shape="box", footprint=(0.1, 0.2), base_z=-0.25, accuracy=0.01)
         self.assertEqual((standing.base_z, list(standing.solid.dimensions[:2])), (-0.25, [0.1, 0.2]))
+        turned = self.machine.largest_region(shape="square", turned=True, accuracy=0.01)
+        self.assertTrue(turned.turned)
+        self.assertFalse(self.machine.largest_region(shape="square", turned=False, accuracy=0.01).turned)
         corners = [(0, 0, 0), (0.1, 0, 0), (0, 0.1, 0), (0, 0, 0.1)]
         self.assertEqual(self.machine.check_polytope((0, 0, 0), corners).verdict, self.machine.INSIDE)
         self.assertEqual(self.machine.largest_region(center=(0.125, 0, 0), accuracy=0.01).center.x, 0.125)

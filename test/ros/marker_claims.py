@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the oracle holds against the texts in rviz."""
 
-from answer_claims import xyz
+import math
+import re
+
+from answer_claims import region_in, xyz
 from claims import all_good, criterion_of
 from oracle import BAD, Region
-from reasons import hold, reason
+from reasons import N, hold, reason
 from table_claims import is_singular_near
 
 
 def label(case, match):
     """Dimensions, rounded down: with these the region is good, and nearly the one that was answered."""
-    answer, told = case.answer, [float(x) for x in match.groups()[1:] if x]
+    answer, told = case.answer, [float(x) for x in re.findall(N, match[0].partition("\n")[0])]
+    hold(bool(match["turn"]) == answer.turned, match[0], answer.angle)
+    hold(not answer.turned or abs(float(match["turn"]) - math.degrees(answer.angle)) < 0.1, match[0], answer.angle)
     if match["shape"] == "disc":
         told = [0, *told]
     if match["shape"] in ("cube", "square"):
@@ -19,12 +24,12 @@ def label(case, match):
         told.append(0)
     hold(match["shape"] == answer.shape and len(told) == len(answer.solid.dimensions), match[0])
     hold(all(x <= own <= x * 1.002 for x, own in zip(told, answer.solid.dimensions)), match[0], answer.solid.dimensions)
-    all_good(case, Region(answer.shape, told, xyz(answer.center)), 100)
+    all_good(case, Region(answer.shape, told, xyz(answer.center), answer.angle if answer.turned else None), 100)
 
 
 def stroke(case, match):
     answer, most = case.answer, float(match[2])
-    region = Region(answer.shape, list(answer.solid.dimensions), xyz(answer.center))
+    region = region_in(answer)
     k = [leg.name for leg in case.machine.legs[float]].index(match["joint"])
     low, high = region.span(lambda p: case.machine.state(p).rhos[k], case.rng)
     hold(high - low <= most <= 1.02 * (high - low), match[0], "but it is", high - low)

@@ -30,6 +30,35 @@ TEST(Markers, showAllFacesOfABox)
     EXPECT_EQ(Eigen::Vector3d(0.5, 1.0, 1.5), Eigen::Vector3d(point.x, point.y, point.z).cwiseAbs());
 }
 
+TEST(Markers, showATurnedBox)
+{
+  Region region = regionWithSides(2.0, 1.0, 0.5);
+  region.turned = true;
+  region.angle = 0.5 * M_PI;
+  region.center.x = 3.0;
+  const Markers markers = inNamespace(draw(region), "region");
+  for (const auto type : { Marker::TRIANGLE_LIST, Marker::LINE_LIST })
+  {
+    const Markers drawn = ofType(markers, type);
+    ASSERT_EQ(1U, drawn.size());
+    for (const auto& point : drawn[0].points)
+    {
+      EXPECT_NEAR(0.5, std::abs(point.x - 3.0), 1e-12);
+      EXPECT_NEAR(1.0, std::abs(point.y), 1e-12);
+      EXPECT_EQ(0.25, std::abs(point.z));
+    }
+  }
+  const std::string label = ofType(markers, Marker::TEXT_VIEW_FACING)[0].text;
+  EXPECT_NE(std::string::npos, label.find("\nturned by 90 degrees")) << label;
+  region.angle = 0.25 * M_PI;
+  const Markers edges = ofType(inNamespace(draw(region), "region"), Marker::LINE_LIST);
+  for (const auto& point : edges[0].points)
+  {
+    EXPECT_NEAR(1.0, std::abs(point.x - 3.0 + point.y) / M_SQRT2, 1e-12) << "along its longer side";
+    EXPECT_NEAR(0.5, std::abs(point.x - 3.0 - point.y) / M_SQRT2, 1e-12);
+  }
+}
+
 TEST(Markers, showASquareAsTriangles)
 {
   const auto markers = inNamespace(draw(regionWithSides(1.0, 1.0, 0.0)), "region");

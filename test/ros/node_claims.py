@@ -35,7 +35,8 @@ CLAIMS = {
     "comparison": (r"(?P<count>\d+) machines were compared\.", answers.comparison),
     "asked": ("Computing: " + QUESTION + r"\.", None),
     # log lines and /diagnostics: the answer to the question before it
-    "region told": (r"(?:(?P<found>\w+) at \((?P<center>.*?)\) m of frame '\w+', .*? "
+    "region told": (r"(?:(?P<found>\w+) at \((?P<center>.*?)\) m of frame '\w+', "
+                    r"(?:turned by (?P<angle>\S+) rad, )?.*? "
                     r"(?P<size_told>\S+), dimensions (?P<dimensions>[^m]*) m"
                     r"(?:, volume (?P<volume_told>\S+) m\^3)?\. )?"
                     rf"(?P<proof>{sentences.CLAIMS['largest'][0]}){EFFORT}", answers.region_told),
@@ -46,8 +47,8 @@ CLAIMS = {
     "wide told": (r"the bounds are wider than asked: .*", None),
     "other": (r"(?!.*prove).*", None),  # of the URDF, and of the boxes in a picture
     # markers
-    "label": (rf"(?P<shape>\w+) (?:{N} m high, radius {N} m|of radius {N} m|{N}(?: x {N}(?: x {N})?)? m)",
-              markers.label),
+    "label": (rf"(?P<shape>\w+) (?:{N} m high, radius {N} m|of radius {N} m|{N}(?: x {N}(?: x {N})?)? m)"
+              r"(?:\nturned by (?P<turn>\S+) degrees)?", markers.label),
     "stroke": (rf"(?P<joint>\w+)\n{N} m", markers.stroke),
     "caption": (r"(?:(?P<sentence>.*)\n)?\w+, geometry \w{8}, pkm_workspace \S+\n(?:dextrous|reachable).*",
                 markers.caption),

@@ -84,6 +84,36 @@ TEST(PlacedRegion, isAPolytope)
     EXPECT_GE(vertex.z, 0.0);
 }
 
+// Its corners are turned by the answer's orientation here, and checked as those of a polytope.
+TEST(PlacedRegion, isTurned)
+{
+  Client machine;
+  const auto box = [&](bool turned) {
+    return machine.largestRegion(with::shape("box"), with::proportions({ 2, 1, 0.5 }), with::turned(turned));
+  };
+  const Region straight = box(false);
+  EXPECT_FALSE(straight.turned);
+  EXPECT_EQ(1.0, straight.orientation.w);
+  const Region region = box(true);
+  EXPECT_EQ(Region::PROVEN, region.status) << region.message;
+  EXPECT_TRUE(region.turned);
+  EXPECT_GT(region.size, straight.size_upper_bound + 0.1);
+  const Eigen::Quaterniond turn(region.orientation.w, region.orientation.x, region.orientation.y, region.orientation.z);
+  EXPECT_LT(turn.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(region.angle, Eigen::Vector3d::UnitZ()))), 1e-7);
+  std::vector<Triple> corners;
+  for (int bits = 0; bits < 8; ++bits)
+  {
+    Eigen::Vector3d corner;
+    for (int axis = 0; axis < 3; ++axis)
+      corner[axis] =
+          (bits >> axis & 1 ? 0.5 : -0.5) * (1.0 - 1e-9) * region.solid.dimensions[static_cast<std::size_t>(axis)];
+    corner = turn * corner;
+    corners.push_back({ corner.x(), corner.y(), corner.z() });
+  }
+  const Triple center = { region.center.x, region.center.y, region.center.z };
+  EXPECT_EQ(machine.INSIDE, machine.checkPolytope(center, corners).verdict);
+}
+
 TEST(PlacedRegion, isNoPolytope)
 {
   Client machine;

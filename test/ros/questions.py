@@ -105,6 +105,7 @@ class Questions:
         for shape, criterion in (("cube", WIDE), ("square", FREE), ("sphere", FREE), ("disc", CriterionRequest())):
             self.found(node, shape=shape, criterion=criterion)
         self.found(node, shape="box", proportions=Vector3(2, 1, 1))
+        self.found(node, shape="box", proportions=Vector3(2, 1, 1), turned=True)
         self.found(node, shape="cylinder", ratio_min=0.5, ratio_max=0.5)
         self.found(node, shape="cylinder", ratio_min=0.4, ratio_max=0.6)
         self.found(node, shape="cube", criterion=NARROW)

@@ -117,6 +117,13 @@ const BadRequest BAD_REQUESTS[] = {
       q.use_base = true;
     },
     "base_z is for regions with a lowest face, and a sphere has none" },
+  { "a sphere that turns",
+    [](auto& q) {
+      q.shape = "sphere";
+      q.turned = RegionRequest::ON;
+    },
+    "turned is for a square, cube, box or polytope: a sphere turned about the vertical is the same sphere" },
+  { "unknown turn", [](auto& q) { q.turned = 3; }, "turned = 3 must be OWN = 0, ON = 1 or OFF = 2" },
   { "base of a given center", [](auto& q) { q.use_base = q.use_center = true; },
     "a center and base_z exclude each other.*give the search box" },
   { "center and search box", [](auto& q) { q.use_search_box = q.use_center = true; }, "only one of the two" },

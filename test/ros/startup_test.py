@@ -12,7 +12,7 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Point
 from pkm_workspace.msg import CriterionRequest, RegionRequest
-from pkm_workspace.srv import ComputeLargestRegion
+from pkm_workspace.srv import CompareMachines, ComputeLargestRegion
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 
 NAN = float("nan")
@@ -30,6 +30,8 @@ BAD_PARAMETERS = [
     ({"footprint": [1]}, r"footprint = \{1\} must be two numbers"),
     ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 1]]}, r"vertices = .* must be a list of three numbers \[x, y, z\] each"),
     ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]}, r"vertices lie in one plane"),
+    ({"turned": True, "shape": "disc"}, r"turned is for a square, cube, box or polytope: a disc turned"),
+    ({"turned": 1}, r"turned = 1 must be true or false"),
     ({"base_z": 0, "center": [0, 0, 0]}, r"a center and base_z exclude each other"),
     ({"base_z": 0, "shape": "sphere"}, r"base_z is for regions with a lowest face, and a sphere has none"),
     ({"psi": "best"}, r"psi = best must be a text: given or auto"),
@@ -159,6 +161,23 @@ class StartupTest(unittest.TestCase):
                                            max_corner=Point(1, 1, 1))).region
             self.assertEqual((free.use_base, free.use_search_box), (False, True))
             self.assertGreater(free.size, region.size_upper_bound)
+
+    def test_a_node_may_turn_its_regions(self):
+        with NodeProcess(urdf("orthoglide"), {"shape": "box", "proportions": [2, 1, 0.5], "turned": True,
+                                              "accuracy": 0.01}):
+            ask = rospy.ServiceProxy(f"{NAME}/compute_largest_region", ComputeLargestRegion, persistent=True)
+            ask.wait_for_service(PATIENCE)
+            turned = ask(query=RegionRequest()).region
+            self.assertTrue(turned.turned and turned.angle != 0)
+            straight = ask(query=RegionRequest(turned=RegionRequest.OFF)).region
+            self.assertEqual((straight.turned, straight.angle, straight.orientation.w), (False, 0, 1))
+            self.assertLess(straight.size_upper_bound, turned.size)
+            self.assertFalse(ask(query=RegionRequest(shape="disc")).region.turned)
+            compare = rospy.ServiceProxy(f"{NAME}/compare_machines", CompareMachines, persistent=True)
+            query = RegionRequest(shape="square", turned=RegionRequest.ON)
+            self.assertIn("machines are compared by regions that are not turned", compare(query=query).message)
+            both = compare(query=RegionRequest(shape="square", accuracy=0.01), urdfs=[urdf("orthoglide")])
+            self.assertEqual(len(both.machines), 2, both.message)
 
     def test_diagnostics_come_as_often_as_asked(self):
         stamps = []

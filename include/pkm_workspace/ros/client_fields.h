@@ -110,6 +110,11 @@ inline auto vertices(const std::vector<Triple>& points)
       request.vertices.push_back(messageOf(point));
   };
 }
+/// Whether the region may be turned about the vertical.
+inline auto turned(bool value = true)
+{
+  return [value](auto& request) { request.turned = value ? request.ON : request.OFF; };
+}
 /// The only one that is looked at.
 inline auto center(const Triple& point)
 {

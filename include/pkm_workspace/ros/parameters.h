@@ -38,7 +38,7 @@ struct Parameters
   }
 
   ShapeWish shape;  ///< ~shape, and what waits for the shape that takes it: ~proportions, ~ratio and so on
-  PlaceWish place;  ///< ~search_box, ~center, ~base_z
+  PlaceWish place;  ///< ~search_box, ~center, ~base_z, ~turned
   /// These two, ~set, ~aspect, the bounds of the criterion by their names, ~joint_limits, ~threads, ~max_memory: that
   /// the boxes of one computation may take [bytes], and ~time_limit, which is also the most that a request may ask for:
   /// a service cannot be cancelled. In (0, 86400] [s].
