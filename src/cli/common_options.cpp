@@ -153,7 +153,8 @@ void declareCriterion(Options& options, Criterion& criterion)
   requireEffect(options, criterion);
   options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
   options.onOff("hinge-limits", criterion.hinge_limits, "whether the URDF's limits of passive joints hold too");
-  Words of_dextrous = { "set" }, all;
+  declareZones(options, criterion);
+  Words of_dextrous = { "set" }, all = { "keep-in", "keep-out", "zones", "tool-radius" };
   for (const CriterionBound& bound : CRITERION_BOUNDS)
   {
     all.push_back(optionOf(bound.name));
@@ -217,7 +218,7 @@ Words criterionOptions()
     names.push_back(optionOf(bound.name));
   for (const JointDatum& datum : JOINT_DATA)
     names.push_back(optionOf(datum.name));
-  names.insert(names.end(), { "joint-limits", "hinge-limits" });
+  names.insert(names.end(), { "joint-limits", "hinge-limits", "keep-in", "keep-out", "zones", "tool-radius" });
   return names;
 }
 

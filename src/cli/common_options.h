@@ -80,6 +80,9 @@ void declareJointData(Options& options, Criterion& criterion);
 /// Refuses what of that counts for nothing that the criterion asks for.
 void requireEffect(Options& options, const Criterion& criterion);
 
+/// --keep-in, --keep-out, --zones, --tool-radius.
+void declareZones(Options& options, Criterion& criterion);
+
 void declareCriterion(Options& options, Criterion& criterion);
 /// The same for one machine, with --psi auto: remarks on the bounds that it chose, and on default ones that do not suit
 /// the machine. @pre the machine's options are declared before @param counts whether the question has a criterion at

@@ -80,6 +80,13 @@ void Options::repeated(const std::string& name, const std::string& values, const
   options_.back().repeatable = true;
 }
 
+void Options::lists(const std::string& name, const std::string& values, const std::string& help,
+                    const std::function<void(const Words&)>& read)
+{
+  repeated(name, values, help, read);
+  options_.back().is_list = true;
+}
+
 void Options::legs(const std::string& name, const std::string& values, const std::string& help,
                    const std::function<void(const Words&)>& read)
 {

@@ -40,6 +40,9 @@ public:
   /// May be given several times. @p read may throw std::invalid_argument with the reason.
   void repeated(const std::string& name, const std::string& values, const std::string& help,
                 const std::function<void(const Words&)>& read);
+  /// The same with one word or more each time.
+  void lists(const std::string& name, const std::string& values, const std::string& help,
+             const std::function<void(const Words&)>& read);
   /// Takes the words that @p values names. @p read may throw std::invalid_argument with the reason.
   void words(const std::string& name, const std::string& values, const std::string& help,
              const std::function<void(const Words&)>& read);
@@ -95,6 +98,7 @@ private:
     std::string help;
     Reader read;
     bool repeatable = false;
+    bool is_list = false;
     bool for_each_leg = false;
     bool required = false;
     bool given = false;

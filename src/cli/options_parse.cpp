@@ -34,7 +34,7 @@ void Options::Option::set(const Words& new_words, Problems& problems)
 {
   const bool again = given && !repeatable;
   const bool refused_before = repeatable && refused;
-  const std::size_t count = countWords(values);
+  const std::size_t count = is_list ? std::max<std::size_t>(new_words.size(), 1) : countWords(values);
   words = new_words;
   given = true;
   refused = true;

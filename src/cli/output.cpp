@@ -27,22 +27,6 @@ Json subjectOf(const Premises& premises)
 }
 }  // namespace
 
-Json toJson(const Criterion& criterion)
-{
-  Json json = { { "set", name(criterion.set) },
-                { "aspect", name(criterion.aspect) },
-                { "joint_limits", criterion.joint_limits } };
-  if (criterion.hinge_limits)
-    json["hinge_limits"] = true;
-  for (const JointDatum& datum : JOINT_DATA)
-    if (datum.isAskedBy(criterion))
-      json[datum.name] = criterion.*datum.values;
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    if (bound.isAskedBy(criterion))
-      json[bound.name] = criterion.*bound.value;
-  return json;
-}
-
 void writeOutput(const std::string& path, const std::string& text)
 {
   try
@@ -214,6 +198,7 @@ std::string definition(const Machine& machine, const Criterion& criterion)
     text += ballAxesInWords(machine);
   if (criterion.hinge_limits)
     text += ", with all passive joints within their limits";
+  text += zonesInWords(criterion.zones, criterion.tool_radius);
   if (!machine.hasJointLimits())
     return text + "; the machine has no joint limits.";
   return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");

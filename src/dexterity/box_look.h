@@ -56,6 +56,18 @@ public:
     inside_ = inside_ | holds;
   }
 
+  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/)
+  {
+    Mask holds = !everywhere(), fails = everywhere();
+    for (std::size_t k = 0; k < forms.count; ++k)
+    {
+      holds = holds | isPositive(forms.form[k]);
+      fails = fails & (forms.form[k].upper() < Real(0.0));
+    }
+    outside_ = outside_ | fails;
+    inside_ = inside_ & holds;
+  }
+
   void matrix(const Subject& /*subject*/, const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, true); }
   void sufficient(const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, false); }
   void necessary(const Subject& /*subject*/, const PlainVector<Real>& /*u*/, const PlainVector<Real>& /*v*/,

@@ -210,10 +210,10 @@ const Criterion& accepted(const Criterion& criterion)
   Problems problems;
   criterion.validate(problems);
   if (!criterion.boundsBelow() || !criterion.boundsAbove() || criterion.boundsCondition() || criterion.joint_limits ||
-      criterion.boundsMore())
+      criterion.boundsMore() || !criterion.zones.empty())
     problems.push_back(
         "the characteristic polynomial needs factors that are bounded from both sides, and knows neither "
-        "joint limits nor condition numbers, nor conditions of motors, tolerances and angles");
+        "joint limits nor condition numbers, nor conditions of motors, tolerances, angles and zones");
   throwProblems(problems);
   return criterion;
 }

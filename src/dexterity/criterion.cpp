@@ -74,6 +74,7 @@ void validateCriterion(const Criterion& criterion, const Origin& origin, Problem
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     checks.check(bound);
   validateJointData(criterion, problems);
+  validateZones(criterion.zones, criterion.tool_radius, problems);
   if (problems.empty())
     validateTogether(criterion, problems);
 }
@@ -124,6 +125,7 @@ std::string describe(const Criterion& criterion)
 {
   return name(criterion.set) + boundsInWords(criterion, &CriterionBound::brief) + ", " + name(criterion.aspect) +
          (criterion.aspect == Criterion::Aspect::BOTH ? " aspects" : " aspect") + ", joint limits " +
-         (criterion.joint_limits ? "on" : "off") + (criterion.hinge_limits ? ", hinge limits on" : "");
+         (criterion.joint_limits ? "on" : "off") + (criterion.hinge_limits ? ", hinge limits on" : "") +
+         zonesInWords(criterion.zones, criterion.tool_radius);
 }
 }  // namespace pkm_workspace

@@ -12,7 +12,7 @@ namespace
 /// Of CRITERION_BOUNDS, those that all files hold; the others follow, with the joint data, where any is asked for.
 constexpr std::size_t FIRST_BOUNDS = 5;
 /// Flags of the last byte that all files hold.
-constexpr unsigned LIMITS = 1, MORE = 2, HINGES = 4;
+constexpr unsigned LIMITS = 1, MORE = 2, HINGES = 4, ZONES = 8;
 
 /// @return one of the first @p count values of the enumeration
 template <class Enumeration>
@@ -22,6 +22,58 @@ Enumeration takeOneOf(std::size_t count, ByteReader& reader)
   if (value >= count)
     throw std::runtime_error("a choice has the number " + std::to_string(value));
   return static_cast<Enumeration>(value);
+}
+
+void put(const Pose& pose, ByteWriter& writer)
+{
+  for (const double number : pose.orientation)
+    writer.real(number);
+  for (const double number : pose.translation)
+    writer.real(number);
+}
+
+Pose takePose(ByteReader& reader)
+{
+  Pose pose;
+  for (double& number : pose.orientation)
+    number = reader.real();
+  for (double& number : pose.translation)
+    number = reader.real();
+  return pose;
+}
+
+void put(const Zone& zone, ByteWriter& writer)
+{
+  writer.number(static_cast<std::uint8_t>(zone.use));
+  writer.number(static_cast<std::uint8_t>(zone.kind));
+  writer.number(static_cast<std::uint8_t>(zone.in_root));
+  writer.text(zone.name);
+  put(zone.pose, writer);
+  put(zone.frame, writer);
+  for (const double side : zone.sides)
+    writer.real(side);
+  writer.real(zone.radius);
+  writer.real(zone.height);
+  for (const double part : zone.normal)
+    writer.real(part);
+}
+
+Zone takeZone(ByteReader& reader)
+{
+  Zone zone;
+  zone.use = takeOneOf<Zone::Use>(ZONE_USES.size(), reader);
+  zone.kind = takeOneOf<Zone::Kind>(ZONE_KINDS.size(), reader);
+  zone.in_root = takeOneOf<unsigned>(2, reader) != 0;
+  zone.name = reader.text();
+  zone.pose = takePose(reader);
+  zone.frame = takePose(reader);
+  for (double& side : zone.sides)
+    side = reader.real();
+  zone.radius = reader.real();
+  zone.height = reader.real();
+  for (double& part : zone.normal)
+    part = reader.real();
+  return zone;
 }
 }  // namespace
 
@@ -46,12 +98,18 @@ void put(const Criterion& criterion, ByteWriter& writer)
   for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
     writer.real(values.*CRITERION_BOUNDS[k].value);
   writer.number(static_cast<std::uint8_t>((values.joint_limits ? LIMITS : 0U) | (has_more ? MORE : 0U) |
-                                          (values.hinge_limits ? HINGES : 0U)));
+                                          (values.hinge_limits ? HINGES : 0U) | (values.zones.empty() ? 0U : ZONES)));
   for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
     writer.real(values.*CRITERION_BOUNDS[k].value);
   for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
     for (const double value : values.*JOINT_DATA[k].values)
       writer.real(value);
+  if (values.zones.empty())
+    return;
+  writer.number(static_cast<std::uint8_t>(values.zones.size()));
+  for (const Zone& zone : values.zones)
+    put(zone, writer);
+  writer.real(values.tool_radius);
 }
 
 Criterion takeCriterion(ByteReader& reader)
@@ -61,7 +119,7 @@ Criterion takeCriterion(ByteReader& reader)
   criterion.aspect = takeOneOf<Criterion::Aspect>(ASPECT_NAMES.size(), reader);
   for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
     criterion.*CRITERION_BOUNDS[k].value = reader.real();
-  const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES) + 1, reader);
+  const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES | ZONES) + 1, reader);
   criterion.joint_limits = (flags & LIMITS) != 0;
   criterion.hinge_limits = (flags & HINGES) != 0;
   if (criterion.hinge_limits && (flags & MORE) == 0)
@@ -72,6 +130,12 @@ Criterion takeCriterion(ByteReader& reader)
   for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
     for (double& value : criterion.*JOINT_DATA[k].values)
       value = reader.real();
+  if ((flags & ZONES) == 0)
+    return criterion;
+  criterion.zones.resize(takeOneOf<std::size_t>(MOST_ZONES + 1, reader));
+  for (Zone& zone : criterion.zones)
+    zone = takeZone(reader);
+  criterion.tool_radius = reader.real();
   return criterion;
 }
 

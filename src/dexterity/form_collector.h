@@ -67,6 +67,11 @@ public:
     scalar(subject, form, power);
   }
 
+  void anyOf(const Subject& subject, const AlternativeForms<Real>& forms, int power)
+  {
+    scalar(subject, forms.largest(), power);
+  }
+
   void necessary(const Subject& subject, const PlainVector<Real>& u, const PlainVector<Real>& v,
                  const AffineForm<Real>& form)
   {

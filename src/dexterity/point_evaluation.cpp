@@ -103,6 +103,8 @@ double relativeMargin(const Limit& limit, double scale)
     case Kind::JOINT_UPPER:
     case Kind::HINGE_LOWER:
     case Kind::HINGE_UPPER:
+    case Kind::KEEP_IN:
+    case Kind::KEEP_OUT:
       return margin / scale;
     case Kind::ASPECT:
       return margin;
@@ -127,6 +129,8 @@ std::string name(Limit::Kind kind)
     return kind == Kind::JOINT_SPEED ? "joint_speed_max" : "joint_acceleration_max";
   if (kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER)
     return kind == Kind::HINGE_LOWER ? "hinge_lower" : "hinge_upper";
+  if (kind == Kind::KEEP_IN || kind == Kind::KEEP_OUT)
+    return ZONE_USES[kind == Kind::KEEP_IN ? 0 : 1];
   const CriterionBound* const bound = boundOf(kind);
   return bound == nullptr ? NAMES[static_cast<int>(kind)] : bound->name;
 }

@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/dexterity/unbounded.h"
+#include "pkm_workspace/dexterity/zone_forms.h"
 #include "pkm_workspace/machine/rails.h"
 
 namespace pkm_workspace
@@ -139,15 +140,25 @@ Box boundsOfSet(const Machine& machine, const Criterion& criterion)
   for (int i = 0; i < 3; ++i)
     if (limits[static_cast<std::size_t>(i)] != Interval::entire())
       bounds = intersection(bounds, boundsByLimits(machine, criterion, i));
+  for (const Zone& zone : criterion.zones)
+    bounds = intersection(bounds, boundsOf(enclosed(zone, criterion.tool_radius)));
   const bool leaves_ends = !(bounds.upper - bounds.lower).allFinite();
   return leaves_ends && criterion.joint_limits && machine.hasParallelRails()
              ? intersection(bounds, boundsByLimitsTogether(machine, criterion))
              : bounds;
 }
 
+bool onlyJointsChangeAlongRails(const Machine& machine, const Criterion& criterion)
+{
+  return machine.hasParallelRails() &&
+         std::all_of(criterion.zones.begin(), criterion.zones.end(), [&](const Zone& zone) {
+           return runsAlong(enclosed(zone, criterion.tool_radius), directionOfRails(machine));
+         });
+}
+
 bool slidesAlongRails(const Machine& machine, const Criterion& criterion)
 {
-  return machine.hasParallelRails() && !(criterion.joint_limits && machine.hasJointLimits());
+  return onlyJointsChangeAlongRails(machine, criterion) && !(criterion.joint_limits && machine.hasJointLimits());
 }
 
 const IntervalVector& directionOfRails(const Machine& machine)

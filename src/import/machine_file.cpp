@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/import/machine_file.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <algorithm>
-#include <functional>
-#include <set>
 #include <stdexcept>
 
 #include "pkm_workspace/common/text.h"
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/import/machine_draft.h"
+#include "yaml_reader.h"
 
 namespace pkm_workspace
 {
@@ -19,77 +15,25 @@ namespace
 /// Nobody writes longer ones by hand [bytes].
 constexpr std::size_t LARGEST_MACHINE_FILE = 256 * 1024;
 
-/// What may stand in one map of the file: a key, and who reads its value.
-struct MapEntry
-{
-  std::string name;
-  std::function<void(const YAML::Node&)> read;
-};
-using MapEntries = std::vector<MapEntry>;
-
-class MachineFile
+class MachineFile : private YamlReader
 {
 public:
-  explicit MachineFile(const std::string& name) : name_(name) {}
+  explicit MachineFile(const std::string& name) : YamlReader(name, "see pkm urdf --template") {}
 
   MachineDescription read(const std::string& text)
   {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = load(text);
     MapEntries entries = machineEntries();
     entries.push_back({ "name", [this](const YAML::Node& node) { draft_.name = textOf(node, "name"); } });
     entries.push_back({ "unit", [this](const YAML::Node& node) { readUnit(node); } });
     entries.push_back({ "all_legs", [this](const YAML::Node& node) { readAllLegs(node); } });
     entries.push_back({ "legs", [this](const YAML::Node& node) { readLegs(node); } });
     readMap(root, "the file", entries);
-    throwProblems(problems_);
+    throwProblems(problems());
     return draft_.finished();
   }
 
 private:
-  std::string placeOf(const YAML::Node& node) const
-  {
-    return name_ + ":" + std::to_string(std::max(node.Mark().line, 0) + 1);
-  }
-
-  void refuse(const YAML::Node& node, const std::string& what) { problems_.push_back(placeOf(node) + ": " + what); }
-
-  std::string textOf(const YAML::Node& node, const std::string& key)
-  {
-    if (node.IsScalar() && !node.Scalar().empty())
-      return node.Scalar();
-    refuse(node, key + " needs one value");
-    return "";
-  }
-
-  void readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries)
-  {
-    if (!map.IsMap())
-      return refuse(map, what +
-                             " must be a list of keys with their values, as \"length: 0.269\"; see pkm urdf "
-                             "--template");
-    std::set<std::string> seen;
-    for (const auto& pair : map)
-    {
-      const std::string key = pair.first.IsScalar() ? pair.first.Scalar() : "";
-      const auto known = [&key](const MapEntry& entry) { return entry.name == key; };
-      const auto entry = std::find_if(entries.begin(), entries.end(), known);
-      if (entry == entries.end())
-        refuse(pair.first, "'" + shortened(key, 60) + "' is no key of " + what + "; these are: " + namesOf(entries));
-      else if (!seen.insert(key).second)
-        refuse(pair.first, "'" + key + "' stands a second time in " + what);
-      else
-        entry->read(pair.second);
-    }
-  }
-
-  static std::string namesOf(const MapEntries& entries)
-  {
-    std::vector<std::string> names;
-    for (const MapEntry& entry : entries)
-      names.push_back(entry.name);
-    return joined(names, ", ");
-  }
-
   void readUnit(const YAML::Node& node)
   {
     const std::string unit = textOf(node, "unit");
@@ -102,12 +46,7 @@ private:
   /// The values of a key, as many as it takes; nothing where there are not so many.
   MachineDraft::Texts valuesOf(const DraftKey& key, const YAML::Node& node)
   {
-    MachineDraft::Texts texts;
-    if (node.IsSequence())
-      for (const auto& value : node)
-        texts.push_back(value.IsScalar() ? value.Scalar() : "");
-    else if (node.IsScalar())
-      texts.push_back(node.Scalar());
+    const MachineDraft::Texts texts = scalarsOf(node);
     if (texts.size() == key.size)
       return texts;
     refuse(node, std::string(key.name) + " needs " +
@@ -172,9 +111,7 @@ private:
       readMap(node[i], "leg " + std::to_string(i + 1), legEntries({ i }));
   }
 
-  std::string name_;
   MachineDraft draft_;
-  Problems problems_;
   bool legs_read_ = false;
 };
 }  // namespace
@@ -222,14 +159,7 @@ mount_rpy: [0, 0, 15]        # and how it is turned there: roll, pitch, yaw
 
 MachineDescription readMachineText(const std::string& text, const std::string& name)
 {
-  try
-  {
-    return MachineFile(name).read(text);
-  }
-  catch (const YAML::Exception& error)
-  {
-    throw std::invalid_argument(name + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
-  }
+  return MachineFile(name).read(text);
 }
 
 MachineDescription readMachineFile(const std::string& path)

@@ -137,7 +137,7 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
   space.size_bound = query.turns() ? turnedSizeBound(machine, query, bounds) : sizeBound(machine, query, bounds);
   if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
-  else if (machine.hasParallelRails() && (!query.turns() || runAlongAxis(machine, 2)))
+  else if (onlyJointsChangeAlongRails(machine, query.criterion) && (!query.turns() || runAlongAxis(machine, 2)))
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);

@@ -36,6 +36,9 @@ CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoi
                        const RailTravel* travel, bool keeps_reasons)
   : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel), keeps_reasons_(keeps_reasons)
 {
+  const GrowingVector extents = shape.halfExtents();
+  for (int axis = 0; axis < 3; ++axis)
+    is_flat_[static_cast<std::size_t>(axis)] = extents.fixed[axis] == 0.0 && extents.per_size[axis] == 0.0;
   if (test.spheres().empty())
     return;
   const std::vector<GrowingVector> extremes = shape.extremePoints();
@@ -197,15 +200,34 @@ bool CenterTest::addCuts()
   return added;
 }
 
+/// A region without thickness meets a point only at its own height: there a bad point stands for those beside it.
+CenterTest::BadPoint CenterTest::alongFlatAxes(const Eigen::Vector3d& known, const Box& centers) const
+{
+  BadPoint bad{ known, centers, true };
+  Box all{ known, known };
+  bool is_point = true;
+  for (int axis = 0; axis < 3; ++axis)
+    if (is_flat_[static_cast<std::size_t>(axis)])
+    {
+      all.lower[axis] = centers.lower[axis];
+      all.upper[axis] = centers.upper[axis];
+      bad.point[axis] = bad.centers.lower[axis] = bad.centers.upper[axis] = centers.center()[axis];
+      is_point = is_point && all.lower[axis] == known[axis] && all.upper[axis] == known[axis];
+    }
+  bad.is_proved = is_point || (!travel_ && test_.classify(all) == BoxVerdict::OUTSIDE);
+  return bad;
+}
+
 /// @return true when a point that is known to be bad lies within every region: that alone excludes the box
 bool CenterTest::addKnown(const Box& centers, double size)
 {
-  for (const Eigen::Vector3d& point : witnesses_.bad())
+  for (const Eigen::Vector3d& known : witnesses_.badNear(centers.center(), bad_))
   {
-    const auto avoidance = shape_.avoidance(point, centers, size);
-    const auto term = [&point] {
+    const BadPoint bad = alongFlatAxes(known, centers);
+    const auto avoidance = bad.is_proved ? shape_.avoidance(bad.point, bad.centers, size) : std::nullopt;
+    const auto term = [&bad] {
       ReasonTerm result{ ReasonTerm::Kind::BAD_POINT };
-      result.point = point;
+      result.point = bad.point;
       return result;
     };
     if (avoidance && add({ perLength(test_) * *avoidance }, term))

@@ -38,7 +38,8 @@ bool CenterTest::isPromising(const Candidate& region)
   const Eigen::Vector3d place = travel_ ? travel_->placeOf(region.center) : region.center;
   if (travel_ && !travel_->leavesCenter(place, region.size, places))
     return false;
-  return std::none_of(witnesses_.bad().begin(), witnesses_.bad().end(), [&](const Eigen::Vector3d& point) {
+  const std::vector<Eigen::Vector3d>& bad = witnesses_.badNear(region.center, bad_);
+  return std::none_of(bad.begin(), bad.end(), [&](const Eigen::Vector3d& point) {
     return shape_.contains(point, Box{ place, place }, region.size);
   });
 }

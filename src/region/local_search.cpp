@@ -37,7 +37,7 @@ LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
   margins_.resize(points.size());
   test_.kernel().margins(points.data(), points.size(), margins_.data());
   double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
-  for (const Eigen::Vector3d& point : witnesses_.bad())
+  for (const Eigen::Vector3d& point : witnesses_.keptOut(candidate.center, bad_))
     violation = std::max(violation, exitOf(candidate, point).depth);
   violation = std::max(violation, excessOf(candidate));
   return { candidate, std::max(0.0, violation) };
@@ -93,7 +93,7 @@ LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::V
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
 void LocalSearch::addExits(double trust)
 {
-  for (const Eigen::Vector3d& point : witnesses_.bad())
+  for (const Eigen::Vector3d& point : witnesses_.keptOut(from.center, bad_))
   {
     Exit exit = exitOf(from_, point);
     if (travel_)

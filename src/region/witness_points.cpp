@@ -12,9 +12,36 @@ constexpr std::size_t MAX_BAD = 64;
 constexpr double LEAST_DISTANCE = 0.05;
 }  // namespace
 
-WitnessPoints::WitnessPoints(const Shape& shape)
+WitnessPoints::WitnessPoints(const Shape& shape, const Criterion& criterion)
   : shape_(shape), extremes_(shape.extremePoints().size()), of_shape_(shape.extremePoints())
-{}
+{
+  for (const Zone& zone : criterion.zones)
+    if (zone.use == Zone::Use::KEEP_OUT)
+      keep_out_.push_back(enclosed(zone, criterion.tool_radius));
+}
+
+const std::vector<Eigen::Vector3d>& WitnessPoints::badNear(const Eigen::Vector3d& center,
+                                                           std::vector<Eigen::Vector3d>& room) const
+{
+  if (keep_out_.empty())
+    return bad_;
+  room = bad_;
+  for (const EnclosedZone& zone : keep_out_)
+    if (const auto point = pointWithin(zone, center))
+      room.push_back(*point);
+  return room;
+}
+
+const std::vector<Eigen::Vector3d>& WitnessPoints::keptOut(const Eigen::Vector3d& center,
+                                                           std::vector<Eigen::Vector3d>& room) const
+{
+  if (keep_out_.empty())
+    return bad_;
+  room = bad_;
+  for (const EnclosedZone& zone : keep_out_)
+    room.push_back(pointAround(zone, center));
+  return room;
+}
 
 void WitnessPoints::learn(const Eigen::Vector3d& bad_point)
 {

@@ -24,7 +24,8 @@ bool isAtLeast(Kind kind)
   const CriterionBound* const bound = boundOf(kind);
   if (bound != nullptr)
     return bound->is_lower;
-  return kind == Kind::JOINT_LOWER || kind == Kind::ASPECT || kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER;
+  return kind == Kind::JOINT_LOWER || kind == Kind::ASPECT || kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER ||
+         kind == Kind::KEEP_IN || kind == Kind::KEEP_OUT;
 }
 
 /// How a value and its bound stand to each other, in words.
@@ -150,6 +151,17 @@ std::string boundPhrase(Kind kind, double bound)
   return (isAtLeast(kind) ? "at least " : "at most ") + exact(bound);
 }
 
+std::string zonePhrase(const Limit& limit, const Relation& relation)
+{
+  const bool is_in = limit.kind == Kind::KEEP_IN;
+  const std::string zone =
+      "the " + limit.zone + (is_in ? " that it has to keep within" : " that it has to keep out of");
+  if (!relation.is_violated && !relation.is_kept)
+    return "the tool reaches the border of " + zone + toWithin(relation);
+  return "the tool is " + std::string(is_in == relation.is_violated ? "outside " : "within ") + zone +
+         byAtMost(relation);
+}
+
 std::string aspectPhrase(const Relation& relation)
 {
   if (relation.is_violated)
@@ -175,7 +187,10 @@ std::string describe(const Limit& limit, const Machine& machine)
       return ratePhrase(machine.leg(limit.leg), limit, relation);
     case Kind::HINGE_LOWER:
     case Kind::HINGE_UPPER:
-      return hingePhrase(slidingStrut(machine.leg(limit.leg)).stops[static_cast<std::size_t>(limit.stop)], relation);
+      return hingePhrase(slidingStrut(machine.leg(limit.leg)).stops[static_cast<std::size_t>(limit.which)], relation);
+    case Kind::KEEP_IN:
+    case Kind::KEEP_OUT:
+      return zonePhrase(limit, relation);
     default:
       return phrase(boundOf(limit.kind)->subject + ofLeg(limit, machine), "is", exact(limit.bound) + unitOf(limit.kind),
                     relation);
@@ -196,6 +211,8 @@ std::string briefly(Kind kind, const Criterion& criterion)
   const CriterionBound* const bound = boundOf(kind);
   if (bound != nullptr)
     return quantityOf(kind) + ' ' + boundPhrase(kind, criterion.*bound->value) + unitOf(kind);
+  if (kind == Kind::KEEP_IN || kind == Kind::KEEP_OUT)
+    return kind == Kind::KEEP_IN ? "keep-in zone" : "keep-out zone";
   const bool is_stop =
       kind == Kind::JOINT_LOWER || kind == Kind::JOINT_UPPER || kind == Kind::HINGE_LOWER || kind == Kind::HINGE_UPPER;
   return quantityOf(kind) + (is_stop ? " limit" : "");

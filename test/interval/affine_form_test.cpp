@@ -54,6 +54,34 @@ TEST_P(AffineFormContainment, constantsAreEnclosedWithTheirErrors)
   });
 }
 
+TEST_P(AffineFormContainment, maximumHoldsTheLargerOfAllMembers)
+{
+  forEachCase([this](Forms& forms) {
+    const Form a = forms.form();
+    const Form b = forms.random().once(2) ? forms.form(&a) : -forms.form(&a);
+    const Form largest = evaluate<Form>([&] { return maximum(a, b); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+    {
+      const Exact x = forms.member(a);
+      const Exact y = forms.member(b);
+      ASSERT_TRUE(forms.holds(largest, (x - y).value() < 0.0 ? y : x))
+          << "maximum of " << a << " and " << b << " = " << largest;
+    }
+  });
+}
+
+TEST_P(AffineFormContainment, maximumIsTheFormThatIsLargerAllOver)
+{
+  const Form low{ -3.0, { 0.5, 0.25, 0.0 }, 0.125 }, high{ 1.0, { 0.0, 0.5, -0.5 }, 0.0 };
+  for (const Form& largest :
+       { evaluate<Form>([&] { return maximum(low, high); }), evaluate<Form>([&] { return maximum(high, low); }) })
+  {
+    EXPECT_NEAR(largest.center, high.center, 1e-14);
+    EXPECT_NEAR(largest.gradient[2], high.gradient[2], 1e-14);
+    EXPECT_LE(largest.radius, 1e-13);
+  }
+}
+
 TEST_P(AffineFormContainment, boundsHoldTheValuesOfAllMembers)
 {
   forEachCase([this](Forms& forms) {

@@ -213,7 +213,7 @@ TEST(SearchCost, looksAtCentersAllocateNothing)
 {
   const BoxTest test(orthoglide(), Criterion());
   const ShapePtr cube = makeCube();
-  WitnessPoints witnesses(*cube);
+  WitnessPoints witnesses(*cube, Criterion());
   witnesses.learn(Eigen::Vector3d::Zero(), 0.7, Eigen::Vector3d(0.3, 0.3, 0.3));
   CenterTest center_test(test, *cube, witnesses);
   const Box centers{ Eigen::Vector3d::Constant(0.05), Eigen::Vector3d::Constant(0.12) };

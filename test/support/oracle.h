@@ -10,6 +10,7 @@
 #include "driven_tool.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
+#include "zones.h"
 
 namespace pkm_workspace
 {
@@ -29,6 +30,8 @@ public:
 
   bool isGood(const Vector& point) const
   {
+    if (!keepsToZones(criterion_.zones, criterion_.tool_radius, point))
+      return false;
     std::array<Vector, 3> strut;
     Vector eta;
     for (int i = 0; i < 3; ++i)
@@ -73,6 +76,9 @@ public:
   Number valueOf(const Limit& limit, const Vector& point) const
   {
     using Kind = Limit::Kind;
+    if (limit.kind == Kind::KEEP_IN || limit.kind == Kind::KEEP_OUT)
+      return ZoneOracle(criterion_.zones.at(static_cast<std::size_t>(limit.which)), criterion_.tool_radius)
+          .clearance(point);
     if (limit.kind == Kind::REACH)
       return across(limit.leg, point);
     if (limit.kind == Kind::JOINT_LOWER || limit.kind == Kind::JOINT_UPPER)

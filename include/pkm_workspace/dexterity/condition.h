@@ -28,6 +28,8 @@ enum class ConditionKind
   BALL_TILT_MAX,       ///< the angle between a strut and the axis of a ball joint at its ends [rad]
   HINGE_LOWER,  ///< a passive hinge is at its lower limit or above: what its stop measures at the strut's end [m]
   HINGE_UPPER,  ///< a passive hinge is at its upper limit or below [m]
+  KEEP_IN,      ///< the tool is within a zone: how far [m]
+  KEEP_OUT,     ///< the tool is out of a zone: how far [m]
   // of a path that is gone along at a speed; no criterion asks for these at a point
   JOINT_SPEED = 64,   ///< |qdot| is at most what the joint reaches [m/s]
   JOINT_ACCELERATION  ///< |qddot| is at most what the joint reaches [m/s^2]
@@ -65,6 +67,24 @@ struct NearPlace
   Real per_square;  ///< its square
 };
 
+/// Forms of which one is enough, and no fewer.
+template <class Real>
+struct AlternativeForms
+{
+  std::array<AffineForm<Real>, 6> form;
+  std::size_t count = 0;
+
+  void add(const AffineForm<Real>& another) { form[count++] = another; }
+  /// Encloses the largest of them all. @pre there is one
+  AffineForm<Real> largest() const
+  {
+    AffineForm<Real> result = form[0];
+    for (std::size_t k = 1; k < count; ++k)
+      result = maximum(result, form[k]);
+    return result;
+  }
+};
+
 /// The margin of what is not asked for.
 constexpr double NO_MARGIN = 1e300;
 
@@ -75,6 +95,7 @@ constexpr double NO_MARGIN = 1e300;
 //   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for.
 //   A visitor that isSettled() hears no more.
 //     scalar(subject, form, power)      the condition holds where the form, in m^power, is not negative
+//     anyOf(subject, forms, power)      it holds where any of the AlternativeForms is not negative
 //     matrix(subject, form)             it holds where the matrix [m^2] is positive semidefinite
 //     sufficient(form)                  it holds where all such matrices are, and maybe elsewhere
 //     necessary(subject, u, v, form)    it holds nowhere where the form is negative, that it has by the vectors u and v

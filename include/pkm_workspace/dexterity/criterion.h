@@ -3,10 +3,12 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "pkm_workspace/common/budget.h"
 #include "pkm_workspace/common/problems.h"
 #include "pkm_workspace/interval/interval.h"
+#include "pkm_workspace/machine/zone.h"
 
 namespace pkm_workspace
 {
@@ -63,6 +65,9 @@ struct Criterion
   JointValues joint_stiffness{};   ///< of the drives [N/m], for stiffness_min
   JointValues strut_stiffness{};   ///< along the struts [N/m], for stiffness_min; 0 = rigid
   JointValues joint_error_max{};   ///< [m], for position_error_max
+
+  std::vector<Zone> zones;   ///< that the tool keeps within or out of
+  double tool_radius = 0.0;  ///< by which all of them are moved, away from what the tool has to keep to [m]
 
   /// Appends one sentence for each value that is out of range.
   void validate(Problems& problems) const;

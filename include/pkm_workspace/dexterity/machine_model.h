@@ -17,6 +17,7 @@
 #include "pkm_workspace/dexterity/conditions/strut_angle.h"
 #include "pkm_workspace/dexterity/conditions/tool_force.h"
 #include "pkm_workspace/dexterity/conditions/tool_speed.h"
+#include "pkm_workspace/dexterity/conditions/zones.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
 
 namespace pkm_workspace
@@ -25,9 +26,10 @@ namespace pkm_workspace
 /// last, as a sign at one point counts only where the others keep det A from 0. A new one is a file of conditions/ and
 /// an entry here.
 template <class Real>
-using Conditions = std::tuple<Reach<Real>, JointLimits<Real>, StrutAngle<Real>, BallTilt<Real>, HingeLimits<Real>,
-                              ToolSpeed<Real>, LargestFactor<Real>, LeastFactor<Real>, ConditionNumber<Real>,
-                              ToolForce<Real>, Stiffness<Real>, PositionError<Real>, AspectSign<Real>>;
+using Conditions =
+    std::tuple<Reach<Real>, JointLimits<Real>, Zones<Real>, StrutAngle<Real>, BallTilt<Real>, HingeLimits<Real>,
+               ToolSpeed<Real>, LargestFactor<Real>, LeastFactor<Real>, ConditionNumber<Real>, ToolForce<Real>,
+               Stiffness<Real>, PositionError<Real>, AspectSign<Real>>;
 
 /// The least steepest() of these conditions.
 template <class... Each>
@@ -55,7 +57,7 @@ public:
     , legs_(machine, steepest(criterion))
     , conditions_(makeConditions(machine, criterion, static_cast<Conditions<Real>*>(nullptr)))
   {
-    for (std::size_t axis = 0; machine.hasParallelRails() && axis < 3; ++axis)
+    for (std::size_t axis = 0; onlyJointsChangeAlongRails(machine, criterion) && axis < 3; ++axis)
       if (abs(directionOfRails(machine)[axis]) == Interval(1.0))
         axis_of_rails_ = static_cast<int>(axis);
   }

@@ -19,7 +19,9 @@ struct Limit
   double bound = 0.0;    ///< what bounds it
   /// Encloses how far it is within its bound, in the same unit; negative where it is violated
   Interval margin = 0.0;
-  int stop = -1;  ///< of a hinge: which one of SlidingStrut::stops; otherwise -1
+  /// Of a hinge which one of SlidingStrut::stops, of a zone which one of Criterion::zones; otherwise -1.
+  int which = -1;
+  std::string zone = {};  ///< what a zone is called; otherwise empty
 
   bool isViolated() const { return margin.certainlyNegative(); }
 };

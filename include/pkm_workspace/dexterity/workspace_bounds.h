@@ -22,7 +22,10 @@ std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& 
 /// limits), or not valid (the set is empty).
 Box boundsOfSet(const Machine& machine, const Criterion& criterion);
 
-/// Whether nothing changes along the rails: they are parallel, and no joint limit is asked for.
+/// Whether nothing but joint values changes along the rails: they are parallel, and so are all zones.
+bool onlyJointsChangeAlongRails(const Machine& machine, const Criterion& criterion);
+
+/// Whether nothing at all changes along the rails: no joint limit is asked for either.
 bool slidesAlongRails(const Machine& machine, const Criterion& criterion);
 
 /// The direction of parallel rails: that of the first.

@@ -218,4 +218,25 @@ inline AffineForm<Real> sqrtAbove(const AffineForm<Real>& a, const Real& floor)
   root.radius = affine::widened(a.radius * slope + half_gap, high + a.magnitude() * slope, 32);
   return root;
 }
+
+/// Encloses max(f, g) = f + max(0, g - f), by the chord of max(0, x) over the range of x = g - f: for any t in [0, 1]
+/// it lies above (1 - t) f + t g by at most max(t (-low), (1 - t) high).
+template <class Real>
+inline AffineForm<Real> maximum(const AffineForm<Real>& f, const AffineForm<Real>& g)
+{
+  using std::max;
+  using std::min;
+  const AffineForm<Real> difference = g - f;
+  const Real low = difference.lower();
+  const Real high = difference.upper();
+  const Real span = max(high - low, rounding::underflow<Real>());
+  const Real t = min(max(high / span, Real(0)), Real(1));
+  const Enclosed<Real> rest(Real(1) - t, rounding::roundoff<Real>());
+  AffineForm<Real> largest = rest * f + Enclosed<Real>(t, Real(0)) * g;
+  const Real gap = max(max(t * -low, rest.value * high), Real(0));
+  const Real half_gap = gap / Real(2);
+  largest.radius = affine::widened(largest.radius + half_gap, max(largest.magnitude(), gap), 16);
+  largest.center = largest.center + half_gap;
+  return largest;
+}
 }  // namespace pkm_workspace

@@ -59,10 +59,19 @@ private:
     TurningForm form;
   };
 
+  /// A point that no region may contain, and the centers in its plane where regions have no thickness.
+  struct BadPoint
+  {
+    Eigen::Vector3d point;
+    Box centers;
+    bool is_proved;  ///< of all points beside it up to the ends of the centers
+  };
+
   void place(const Box& centers, double size, const Interval& angles);
   TurningForm overNode(std::size_t place, const AffineForm<double>& form) const;
   std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
   std::optional<Closing> excludesAlone(const Box& centers, double size, const BoxKernel& kernel);
+  BadPoint alongFlatAxes(const Eigen::Vector3d& known, const Box& centers) const;
   bool addKnown(const Box& centers, double size);
   bool addTravel(const Box& places, double size);
   bool addNecessary(std::size_t k);
@@ -77,6 +86,7 @@ private:
   const Shape& shape_;
   const WitnessPoints& witnesses_;
   const RailTravel* travel_;
+  std::array<bool, 3> is_flat_;            ///< whether regions have no thickness along this axis
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<TurningForm> forms_;
   std::vector<AffineForm<double>> travel_forms_;
@@ -86,6 +96,7 @@ private:
   std::optional<TurningBox> turning_;   ///< where regions may be turned: what these two are of
   std::vector<Excess> excesses_;        ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;
+  std::vector<Eigen::Vector3d> bad_;  ///< those near to the centers
   const bool keeps_reasons_;
   std::vector<FormOrigin> origins_;  ///< MOST for each witness point
   std::vector<ReasonTerm> terms_;    ///< one for each of the forms

@@ -69,6 +69,7 @@ private:
   double turn_ = 0.0;             ///< largest turn that it may propose [rad]
   LinearProgramme<6> programme_;  ///< unknowns: steps of center, size and violation in units of the trust region; turn
   std::vector<GrowingVector> places_;      ///< of the witness points, at that candidate
+  std::vector<Eigen::Vector3d> bad_;       ///< those near to it
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<double> margins_;
 };

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/dexterity/zone_forms.h"
 #include "pkm_workspace/region/shape.h"
 
 namespace pkm_workspace
@@ -13,12 +15,18 @@ namespace pkm_workspace
 class WitnessPoints
 {
 public:
-  explicit WitnessPoints(const Shape& shape);
+  /// @param criterion its zones to keep out of tell bad points wherever a region is
+  WitnessPoints(const Shape& shape, const Criterion& criterion);
 
   /// Points of the family, exactly: its extreme points, then those that were learnt.
   const std::vector<GrowingVector>& ofShape() const { return of_shape_; }
   /// Points that are proved to violate the criterion [m]: no region may contain them.
   const std::vector<Eigen::Vector3d>& bad() const { return bad_; }
+  /// The same, and of each zone to keep out of the point that a region about the center would hold first.
+  /// @param room for them where there are zones
+  const std::vector<Eigen::Vector3d>& badNear(const Eigen::Vector3d& center, std::vector<Eigen::Vector3d>& room) const;
+  /// The same with points that a region which can be proved keeps out, too.
+  const std::vector<Eigen::Vector3d>& keptOut(const Eigen::Vector3d& center, std::vector<Eigen::Vector3d>& room) const;
 
   /// Learns from a region c + K(h) that is refused because of a bad point: the point is bad for all regions, and its
   /// place in the family is a witness, instead of one that was learnt before and is close to it.
@@ -35,6 +43,7 @@ private:
   std::size_t extremes_;
   std::vector<GrowingVector> of_shape_;
   std::vector<Eigen::Vector3d> bad_;
+  std::vector<EnclosedZone> keep_out_;
   std::size_t next_place_ = 0;  ///< counts what was learnt when there is no room for more
   std::size_t next_bad_ = 0;
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "yaml_reader.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "pkm_workspace/common/text.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+std::string namesOf(const MapEntries& entries)
+{
+  std::vector<std::string> names;
+  for (const MapEntry& entry : entries)
+    names.push_back(entry.name);
+  return joined(names, ", ");
+}
+}  // namespace
+
+YAML::Node YamlReader::load(const std::string& text) const
+{
+  try
+  {
+    return YAML::Load(text);
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw std::invalid_argument(name_ + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
+  }
+}
+
+std::string YamlReader::placeOf(const YAML::Node& node) const
+{
+  return name_ + ":" + std::to_string(std::max(node.Mark().line, 0) + 1);
+}
+
+std::string YamlReader::textOf(const YAML::Node& node, const std::string& key)
+{
+  if (node.IsScalar() && !node.Scalar().empty())
+    return node.Scalar();
+  refuse(node, key + " needs one value");
+  return "";
+}
+
+void YamlReader::readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries)
+{
+  if (!map.IsMap())
+    return refuse(map, what + " must be a list of keys with their values, as \"length: 0.269\"; " + remedy_);
+  std::set<std::string> seen;
+  for (const auto& pair : map)
+  {
+    const std::string key = pair.first.IsScalar() ? pair.first.Scalar() : "";
+    const auto known = [&key](const MapEntry& entry) { return entry.name == key; };
+    const auto entry = std::find_if(entries.begin(), entries.end(), known);
+    if (entry == entries.end())
+      refuse(pair.first, "'" + shortened(key, 60) + "' is no key of " + what + "; these are: " + namesOf(entries));
+    else if (!seen.insert(key).second)
+      refuse(pair.first, "'" + key + "' stands a second time in " + what);
+    else
+      entry->read(pair.second);
+  }
+}
+
+std::vector<std::string> scalarsOf(const YAML::Node& node)
+{
+  std::vector<std::string> texts;
+  if (node.IsSequence())
+    for (const auto& value : node)
+      texts.push_back(value.IsScalar() ? value.Scalar() : "");
+  else if (node.IsScalar())
+    texts.push_back(node.Scalar());
+  return texts;
+}
+}  // namespace pkm_workspace
