@@ -29,10 +29,10 @@ import genpy
 import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Point, Vector3
+from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
 from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceGoal, CriterionRequest, ErrorCode,
                                FindLargestRegionAction, FindLargestRegionGoal, PavingRequest, RegionRequest,
-                               ToolSegment)
+                               ToolSegment, ToolZone)
 from pkm_workspace.srv import (CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion, CheckRegionRequest,
                                ComputeLargestRegion, ComputeWorkspace, EvaluatePoint, EvaluatePointRequest, GetRegion,
                                SetCriterion, SetCriterionRequest)
@@ -70,6 +70,22 @@ def turn(start, center, axis, angle, lift=0.0):
                        lift=lift)
 
 
+def zone(use, kind, name="", center=(0, 0, 0), orientation=(0, 0, 0, 1), **measures):
+    """A zone to "keep_in" or "keep_out" of: kind "box" with sides, "cylinder" with radius and height, "sphere" with radius,
+    or "half_space" with normal. Lengths in metres, in the frame of the request unless in_root=True."""
+    numbers = {}
+    for field, text in (("use", use), ("kind", kind)):
+        numbers[field] = getattr(ToolZone, str(text).upper(), None)
+        if numbers[field] is None:
+            raise TypeError(f"{field} = '{text}' is none of the constants of ToolZone")
+    message = ToolZone(name=name, pose=Pose(Point(*center), Quaternion(*orientation)), **numbers)
+    for field, value in measures.items():
+        if field not in ("sides", "radius", "height", "normal", "in_root"):
+            raise TypeError(f"'{field}' is no measure of a zone")
+        setattr(message, field, read_value(message, field, value))
+    return message
+
+
 def read_value(message, name, value):
     """The value as the field of a message has it."""
     slot = dict(zip(message.__slots__, message._slot_types))[name]
@@ -80,7 +96,9 @@ def read_value(message, name, value):
         return kind(*value)
     if name == "vertices":
         return [point if isinstance(point, Point) else Point(*point) for point in value]
-    if name in ("joint_limits", "hinge_limits", "turned") and isinstance(value, bool):
+    if name == "zones":
+        return list(value)
+    if name in ("joint_limits", "hinge_limits", "own_zones", "turned") and isinstance(value, bool):
         return CriterionRequest.ON if value else CriterionRequest.OFF
     if name in CHOICES and isinstance(value, str):
         choice = getattr(CriterionRequest, value.upper(), None)

@@ -180,10 +180,12 @@ void declareCriterion(Options& options, Criterion& criterion, MachineOptions& ma
       "psi", "auto",
       "in place of --psi-min and --psi-max: bounds [1/f, f], f twice as much as at the best point of the machine",
       [](const Words& words) { readChoice(words[0], { "auto" }); });
+  machine.declareCollisions(options);
   Words names = criterionOptions();
   names.insert(names.end(), { "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" });
   options.check(names, [&criterion, &machine](Problems& problems) {
     criterion = withJointData(machine.machine(), criterion);
+    machine.addCollisions(criterion, problems);
     requireProvable(machine.machine(), criterion, problems);
   });
   names.insert(names.end(), { "psi" });

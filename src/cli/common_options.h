@@ -32,6 +32,10 @@ public:
     return all;
   }
   const Words& notes() const { return notes_; }
+  /// --keep-out-collisions.
+  void declareCollisions(Options& options);
+  /// Adds them to the zones, where asked for. @pre as above
+  void addCollisions(Criterion& criterion, Problems& problems) const;
   /// Adds to the warnings.
   void remark(const std::string& text) { remarks_.push_back(text); }
   /// Adds to the notes.
@@ -41,6 +45,7 @@ private:
   std::string path_;
   UrdfOptions names_;
   std::optional<UrdfMachine> urdf_;
+  bool keeps_out_collisions_ = false;
   Words remarks_;
   Words notes_;
 };

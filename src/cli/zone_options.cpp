@@ -29,6 +29,25 @@ void declareZones(Options& options, Criterion& criterion)
       });
   options.number("tool-radius", criterion.tool_radius, LENGTH_NOT_NEGATIVE,
                  "by which all surfaces of zones are moved away from what the tool keeps to");
+  options.check({ "tool-radius" }, [&criterion, &options](Problems& problems) {
+    if (!options.has("keep-out-collisions") || !options.given("keep-out-collisions"))
+      requireEffect(criterion.tool_radius, criterion.zones, problems);
+  });
+}
+
+void MachineOptions::declareCollisions(Options& options)
+{
+  options.flag("keep-out-collisions", keeps_out_collisions_,
+               "keep out of the collision geometry of links that do not move: boxes, cylinders and spheres of the URDF");
+}
+
+void MachineOptions::addCollisions(Criterion& criterion, Problems& problems) const
+{
+  if (!keeps_out_collisions_)
+    return;
+  refuseOpenCollisions(urdf_->open_collisions, "--keep-out-collisions", problems);
+  criterion.zones.insert(criterion.zones.end(), urdf_->still_collisions.begin(), urdf_->still_collisions.end());
+  validateZones(criterion.zones, criterion.tool_radius, problems);
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -148,12 +148,16 @@ void validateZones(const std::vector<Zone>& zones, double tool_radius, Problems&
     complain(problems, "there are ", zones.size(), " zones to keep in or out of, at most ", MOST_ZONES, " are allowed");
   if (!(tool_radius >= 0.0 && tool_radius <= LARGEST_MEASURE))
     complain(problems, "tool_radius = ", exact(tool_radius), " m must be positive and finite, or 0");
-  else if (tool_radius > 0.0 && zones.empty())
-    complain(problems, "tool_radius = ", exact(tool_radius),
-             " m is without effect: there are no zones to keep in or out of");
   else
     for (const Zone& zone : zones)
       validateZone(zone, tool_radius, problems);
+}
+
+void requireEffect(double tool_radius, const std::vector<Zone>& zones, Problems& problems)
+{
+  if (tool_radius > 0.0 && zones.empty())
+    complain(problems, "tool_radius = ", exact(tool_radius),
+             " m is without effect: there are no zones to keep in or out of");
 }
 
 std::string zonesInWords(const std::vector<Zone>& zones, double tool_radius)
@@ -162,6 +166,12 @@ std::string zonesInWords(const std::vector<Zone>& zones, double tool_radius)
   for (const Zone& zone : zones)
     text += std::string(zone.use == Zone::Use::KEEP_IN ? ", tool within the " : ", tool out of the ") + describe(zone);
   return text + (tool_radius > 0.0 ? ", tool radius " + exact(tool_radius) + " m" : "");
+}
+
+void refuseOpenCollisions(const std::vector<std::string>& open, const std::string& switched_on, Problems& problems)
+{
+  for (const std::string& phrase : open)
+    complain(problems, switched_on, ": ", phrase);
 }
 
 std::vector<Zone> seenFrom(const Pose& root, std::vector<Zone> zones)

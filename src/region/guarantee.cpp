@@ -19,6 +19,8 @@ Criterion reachedOnly(const Criterion& criterion)
   Criterion reached = criterion;
   reached.set = Criterion::Set::REACHABLE;
   reached.joint_limits = reached.hinge_limits = false;
+  reached.zones.clear();
+  reached.tool_radius = 0.0;
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     if (bound.is_optional)
       reached.*bound.value = 0.0;

@@ -44,8 +44,8 @@ constexpr Color conditionColor(ConditionKind kind)
     case Kind::BALL_TILT_MAX: return opaque(96, 32, 0);
     case Kind::HINGE_LOWER: return opaque(192, 224, 128);
     case Kind::HINGE_UPPER: return opaque(96, 64, 64);
-    case Kind::KEEP_IN: return opaque(0, 224, 224);
-    case Kind::KEEP_OUT: return opaque(224, 0, 0);
+    case Kind::KEEP_IN: return opaque(176, 240, 240);
+    case Kind::KEEP_OUT: return opaque(0, 240, 176);
     case Kind::JOINT_SPEED: case Kind::JOINT_ACCELERATION: break;  // of paths, which end no set
   }
   // clang-format on

@@ -42,6 +42,7 @@ void ConditioningService::compute(const ComputeConditioning::Request& request, C
 {
   const FramedMachine in = context_.frames.machineIn(request.header.frame_id);
   ConditioningTask task = read(request);
+  task.criterion = in.seen(task.criterion);
   const StopFlag stop = context_.worker.makeStopFlag();
   task.query.budget.stop = stop.get();
   const std::string asked =

@@ -12,6 +12,7 @@
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
+#include "pkm_workspace/ros/zone_message.h"
 
 namespace pkm_workspace
 {
@@ -150,6 +151,29 @@ void readSwitch(const char* name, std::uint8_t value, bool& target, Problems& pr
     problems.push_back(std::string(name) + " = " + std::to_string(value) + " must be DEFAULT = 0, ON = 1 or OFF = 2");
 }
 
+/// Besides the node's own, unless these are off.
+void readZonesOf(const CriterionRequest& request, Criterion& criterion, Problems& problems)
+{
+  bool counts_own = true;
+  readSwitch("own_zones", request.own_zones, counts_own, problems);
+  if (!counts_own)
+    criterion.zones.clear();
+  const bool is_none = request.tool_radius == std::numeric_limits<double>::infinity();
+  criterion.tool_radius = is_none ? 0.0 : valueOr(request.tool_radius, criterion.tool_radius);
+  for (std::size_t k = 0; k < request.zones.size(); ++k)
+    try
+    {
+      criterion.zones.push_back(fromMessage(request.zones[k]));
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back("zones[" + std::to_string(k) + "]: " + reason.what());
+    }
+  if (criterion.zones.empty() && request.tool_radius == 0.0)
+    criterion.tool_radius = 0.0;  // the node's counts for nothing
+  requireEffect(criterion.tool_radius, criterion.zones, problems);
+}
+
 /// @pre aspect and joint limits have been read
 void choosePsi(const CriterionRequest& request, const Machine& machine, Criterion& criterion, Problems& problems)
 {
@@ -181,6 +205,7 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   readBounds(request, criterion, problems);
   readSwitch("joint_limits", request.joint_limits, criterion.joint_limits, problems);
   readSwitch("hinge_limits", request.hinge_limits, criterion.hinge_limits, problems);
+  readZonesOf(request, criterion, problems);
   readJointData(request, use, criterion, problems);
   criterion = withJointData(machine, criterion);
   choosePsi(request, machine, criterion, problems);
@@ -269,6 +294,9 @@ Hypotheses toMessage(const Premises& premises, double accuracy)
       std::copy_n((criterion.*JOINT_FIELDS[k].values).begin(), 3, (message.*JOINT_FIELDS[k].hypotheses).begin());
   message.joint_limits = criterion.joint_limits;
   message.hinge_limits = criterion.hinge_limits;
+  for (const Zone& zone : criterion.zones)
+    message.zones.push_back(toMessage(zone));
+  message.tool_radius = criterion.tool_radius;
   message.accuracy = accuracy;
   return message;
 }
@@ -284,6 +312,10 @@ Premises fromMessage(const Hypotheses& hypotheses)
     std::copy_n((hypotheses.*fields.hypotheses).begin(), 3, (criterion.*fields.values).begin());
   criterion.joint_limits = hypotheses.joint_limits;
   criterion.hinge_limits = hypotheses.hinge_limits;
+  for (const ToolZone& zone : hypotheses.zones)
+    criterion.zones.push_back(fromMessage(zone));
+  criterion.zones = seenFrom(fromMessage(hypotheses.root), criterion.zones);
+  criterion.tool_radius = hypotheses.tool_radius;
   return { hypotheses.machine, hypotheses.geometry_hash, canonical(criterion), fromMessage(hypotheses.root),
            hypotheses.version };
 }

@@ -66,6 +66,12 @@ Premises FramedMachine::premises(const Criterion& criterion) const
   return { machine->name(), geometry_hash, within(*machine, criterion), root, version() };
 }
 
+Criterion FramedMachine::seen(Criterion criterion) const
+{
+  criterion.zones = seenFrom(root, criterion.zones);
+  return criterion;
+}
+
 Frames::Frames(const Machine& machine, const std::string& root, const std::vector<std::string>& moved)
   : root_{ root, std::make_shared<const Machine>(machine), machine.geometryHash(), Pose() }
   , moved_(moved.begin(), moved.end())

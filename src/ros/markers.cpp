@@ -14,6 +14,7 @@
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "scene.h"
+#include "zone_scene.h"
 
 namespace pkm_workspace
 {
@@ -219,6 +220,7 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& 
   const LabelPlaces places(region, machine, rails, scene.unit());
   if (region.size > 0.0)
     addRegion(region, places, scene);
+  addZones(premises.criterion.zones, machine.scale(), scene);
   if (set)
     set->addTo(scene, "paving_inside", "paving_boundary");
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)

@@ -62,6 +62,13 @@ std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std
     frames.push_back(frameOf(private_node, link));
   return frames;
 }
+
+void addCollisions(const UrdfMachine& urdf, Criterion& criterion, Problems& problems)
+{
+  refuseOpenCollisions(urdf.open_collisions, "keep_out_collisions = true", problems);
+  criterion.zones.insert(criterion.zones.end(), urdf.still_collisions.begin(), urdf.still_collisions.end());
+  validateZones(criterion.zones, criterion.tool_radius, problems);
+}
 }  // namespace
 
 Loaded load(const ros::NodeHandle& private_node)
@@ -75,6 +82,9 @@ Loaded load(const ros::NodeHandle& private_node)
     loaded.query.accuracy = defaultAccuracy(loaded.urdf.machine, *loaded.query.shape);
   loaded.query.criterion = withJointData(loaded.urdf.machine, loaded.query.criterion);
   Problems problems;
+  if (parameters.keep_out_collisions)
+    addCollisions(loaded.urdf, loaded.query.criterion, problems);
+  requireEffect(loaded.query.criterion.tool_radius, loaded.query.criterion.zones, problems);
   requireProvable(loaded.urdf.machine, loaded.query.criterion, problems);
   throwProblems(problems);
   choosePsi(loaded.urdf.machine, parameters, loaded.query.criterion);

@@ -13,6 +13,7 @@
 #include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/text_stream.h"
 #include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/ros/zone_message.h"
 
 namespace pkm_workspace
 {
@@ -67,8 +68,22 @@ Entry oneOf(Choice& target, const std::array<const char*, N>& names)
   return { expected, set };
 }
 
+/// Zones in the frame of the root link. @throws std::invalid_argument with what is wrong
+Entry zonesOf(Criterion& criterion, Zone::Use use)
+{
+  const auto set = [&criterion, use](const XmlRpcValue& value) {
+    const std::vector<Zone> zones = readZones(use, value);
+    criterion.zones.insert(criterion.zones.end(), zones.begin(), zones.end());
+    return true;
+  };
+  return { "a list of zones", set };
+}
+
 void addCriterion(Criterion& criterion, Table& table)
 {
+  for (const Zone::Use use : { Zone::Use::KEEP_IN, Zone::Use::KEEP_OUT })
+    table[ZONE_USES[static_cast<std::size_t>(use)]] = zonesOf(criterion, use);
+  table["tool_radius"] = entry(criterion.tool_radius, "a number >= 0 [m]");
   table["set"] = oneOf(criterion.set, SET_NAMES);
   table["aspect"] = oneOf(criterion.aspect, ASPECT_NAMES);
   table["joint_limits"] = entry(criterion.joint_limits, "true or false");
@@ -106,6 +121,7 @@ Table tableOf(Parameters& parameters)
     { "tool", entry(parameters.urdf.tool, "three numbers [x, y, z] [m]") },
     { "ball_axes", entry(parameters.urdf.ball_axes, "a list of one or of three lists [x, y, z]") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
+    { "keep_out_collisions", entry(parameters.keep_out_collisions, "true or false") },
     { "show_paving", entry(parameters.show_paving, "true or false") },
     { "show_boundary", entry(parameters.show_boundary, "true or false") },
     { "set_colors", oneOf(parameters.set_colors, SET_COLORS_NAMES) },
@@ -139,10 +155,17 @@ void readTable(const Table& table, const XmlRpcValue& values, Problems& problems
     TextStream text;
     text << value.first << " = ";
     value.second.write(text);
-    if (row != table.end() && !row->second.set(value.second))
-      problems.push_back(text.str() + " must be " + row->second.expected);
-    else if (row == table.end() && !isForeign(value.first))
-      problems.push_back(text.str() + " is not a parameter of this node; these are: " + known);
+    try
+    {
+      if (row != table.end() && !row->second.set(value.second))
+        problems.push_back(text.str() + " must be " + row->second.expected);
+      else if (row == table.end() && !isForeign(value.first))
+        problems.push_back(text.str() + " is not a parameter of this node; these are: " + known);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(value.first + ": " + reason.what());
+    }
   }
 }
 

@@ -151,6 +151,7 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
   message.value = toMessage(limit.value);
   message.margin = toMessage(limit.margin);
   message.bound = limit.bound;
+  message.zone = limit.zone;
   return message;
 }
 

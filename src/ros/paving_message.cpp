@@ -40,7 +40,7 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   PavingQuestion question{ {}, in, request.max_listed };
   PavingQuery& query = question.query;
   Problems problems;
-  query.criterion = fromMessage(request.criterion, *in.machine, criterion, problems);
+  query.criterion = in.seen(fromMessage(request.criterion, *in.machine, criterion, problems));
   query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
   query.budget = parameters.query.budget;
   query.budget.time_limit = timeLimitOf(request.time_limit, query.budget.time_limit, longest, problems);

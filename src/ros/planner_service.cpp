@@ -49,7 +49,7 @@ PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, c
   Problems problems;
   const Criterion criterion = fromMessage(request, context_.machine(), context_.query().criterion, problems, use);
   throwProblems(problems);
-  const Premises premises = in.premises(criterion);
+  const Premises premises = in.premises(in.seen(criterion));
   const EvaluatorPtr evaluator = evaluatorFor(*in.machine, premises);
   response.header = headerOf(in, ros::Time::now());
   response.hypotheses = toMessage(premises, 0.0);

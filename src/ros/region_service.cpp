@@ -46,7 +46,11 @@ RegionService::RegionService(NodeContext& context, Tool* tool, Interaction& inte
 RegionQuestion RegionService::read(const RegionRequest& request, double longest) const
 {
   const FramedMachine in = context_.frames.machineIn(request.header.frame_id);
-  return { fromMessage(request, context_.machine(), context_.query(), context_.parameters, longest), in };
+  RegionQuestion question{
+    fromMessage(request, context_.machine(), context_.query(), context_.parameters, longest), in
+  };
+  question.query.criterion = in.seen(question.query.criterion);
+  return question;
 }
 
 void RegionService::find(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell,

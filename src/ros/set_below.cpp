@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/ros/markers.h"
 
 namespace pkm_workspace
@@ -57,7 +58,7 @@ double SetBelow::ceilingFor(const Shown& shown) const
   for (const Eigen::Vector3d& point : interaction_.lowestPoints())
     lowest = std::min(lowest, (from_root * point).z());
   const bool is_flat = shown.report->paving.tree.bisection().root().width(2) == 0.0;
-  if (is_flat && shown.in.machine->hasParallelRails())
+  if (is_flat && onlyJointsChangeAlongRails(*shown.in.machine, shown.report->paving.premises.criterion))
     return lowest;
   const auto above = std::upper_bound(shown.tops.begin(), shown.tops.end(), lowest);
   return above == shown.tops.begin() ? -std::numeric_limits<double>::infinity() : *(above - 1);

@@ -13,6 +13,7 @@
 #include "pkm_workspace/machine/assembly.h"
 #include "reader_warnings.h"
 #include "refusal.h"
+#include "still_collisions.h"
 
 namespace pkm_workspace
 {
@@ -265,7 +266,7 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   const Closure closure = closeLegs(model, rails, options);
   const ClosedLegs& legs = closure.legs;
   UrdfMachine urdf{
-    makeMachine(model, rails, closure, options), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {}, {}
+    makeMachine(model, rails, closure, options), model.tree->getRoot()->name, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}
   };
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -279,6 +280,9 @@ UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)
   urdf.gap = gapOf(closure, urdf.machine);
   urdf.warnings = warningsAbout(model, rails, closure);
   urdf.moved_links = movedLinks(model);
+  const StillCollisions still = stillCollisions(model, urdf.moved_links);
+  urdf.still_collisions = still.zones;
+  urdf.open_collisions = still.open;
   return urdf;
 }
 

@@ -247,7 +247,7 @@ TEST(Zones, whatIsWrongIsRefused)
   half_space.pose.orientation = { 1.0, 1.0, 0.0, 0.0 };
   EXPECT_EQ(complaints(half_space, 0.0).size(), 1u);
   Problems problems;
-  validateZones({}, 0.1, problems);
+  requireEffect(0.1, {}, problems);
   validateZones(std::vector<Zone>(MOST_ZONES + 1, cylinder), 0.0, problems);
   EXPECT_EQ(problems.size(), 2u + MOST_ZONES + 1u);
 }

@@ -26,7 +26,8 @@ const std::vector<Kind> KINDS = {
   Kind::REACH,           Kind::JOINT_LOWER,   Kind::JOINT_UPPER,        Kind::ASPECT,
   Kind::PSI_MIN,         Kind::PSI_MAX,       Kind::KAPPA_MAX,          Kind::TOOL_SPEED_MIN,
   Kind::TOOL_FORCE_MIN,  Kind::STIFFNESS_MIN, Kind::POSITION_ERROR_MAX, Kind::STRUT_ANGLE_MIN,
-  Kind::STRUT_ANGLE_MAX, Kind::BALL_TILT_MAX, Kind::HINGE_LOWER,        Kind::HINGE_UPPER
+  Kind::STRUT_ANGLE_MAX, Kind::BALL_TILT_MAX, Kind::HINGE_LOWER,        Kind::HINGE_UPPER,
+  Kind::KEEP_IN,         Kind::KEEP_OUT
 };
 
 struct Case

@@ -56,13 +56,19 @@ std::string describe(const Zone& zone);
 /// The same in few words: its name, or its kind and place.
 std::string title(const Zone& zone);
 
-/// Appends one sentence for each thing that is wrong: too many zones, numbers out of range, a radius that leaves
-/// nothing of a zone to keep in or that counts for nothing.
+/// Appends one sentence for each thing that is wrong: too many zones, numbers out of range, a radius that leaves nothing
+/// of a zone to keep in.
 /// @param tool_radius [m]
 void validateZones(const std::vector<Zone>& zones, double tool_radius, Problems& problems);
 
+/// Appends a sentence where a radius counts for no zone.
+void requireEffect(double tool_radius, const std::vector<Zone>& zones, Problems& problems);
+
 /// All zones of the kinds of use that there are, in words: ", tool kept in ..., out of ..., with a radius of 0.01 m".
 std::string zonesInWords(const std::vector<Zone>& zones, double tool_radius);
+
+/// Appends a sentence for each phrase of what is no zone. @param switched_on what asks for it
+void refuseOpenCollisions(const std::vector<std::string>& open, const std::string& switched_on, Problems& problems);
 
 /// Zones that are given in the frame of the root link, seen from another frame. @param root the root link there
 std::vector<Zone> seenFrom(const Pose& root, std::vector<Zone> zones);

@@ -4,6 +4,7 @@
 #include <geometry_msgs/Point.h>
 #include <pkm_workspace/CriterionRequest.h>
 #include <pkm_workspace/ToolSegment.h>
+#include <pkm_workspace/ToolZone.h>
 
 #include <array>
 #include <cstdint>
@@ -267,6 +268,18 @@ inline auto aspect(std::uint8_t value)
 inline auto joint_limits(bool on)
 {
   return [on](auto& request) { request.criterion.joint_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
+}
+inline auto zones(const std::vector<ToolZone>& values)
+{
+  return [values](auto& request) { request.criterion.zones = values; };
+}
+inline auto own_zones(bool on)
+{
+  return [on](auto& request) { request.criterion.own_zones = on ? CriterionRequest::ON : CriterionRequest::OFF; };
+}
+inline auto tool_radius(double value)
+{
+  return [value](auto& request) { request.criterion.tool_radius = value; };
 }
 inline auto hinge_limits(bool on)
 {

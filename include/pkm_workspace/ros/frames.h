@@ -24,6 +24,8 @@ struct FramedMachine
 
   /// What answers in that frame are proved of.
   Premises premises(const Criterion& criterion) const;
+  /// The same criterion with its zones where they are in this frame.
+  Criterion seen(Criterion criterion) const;
   /// From that frame to the root link's, in floating point.
   Eigen::Isometry3d toRoot() const;
 };

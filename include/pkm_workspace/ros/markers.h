@@ -20,7 +20,8 @@ using DrawnRails = std::array<Interval, 3>;
 /// What rviz shows of a region, in the frame of its message: it replaces all that was shown before.
 ///
 /// Namespaces: "region" (its faces and edges, a label), "paving_inside" and "paving_boundary" (their surface),
-/// "joint_ranges" (a bar from slider point to slider point along each rail, a label with its stroke). What it holds for
+/// "joint_ranges" (a bar from slider point to slider point along each rail, a label with its stroke), "zones" (to keep
+/// within, or out of). What it holds for
 /// is told by the text of the marker that clears.
 /// @param premises what is proved of it
 /// @param set that the region lies in, or nullptr

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/machine/zone.h"
 
 namespace pkm_workspace
 {
@@ -69,6 +70,8 @@ struct UrdfMachine
   std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
   std::vector<std::string> warnings;        ///< what is in the URDF and not used, or hardly meant
   std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
+  std::vector<Zone> still_collisions;       ///< what the links that do not move have for collision geometry, to keep out
+  std::vector<std::string> open_collisions;  ///< of it what is no zone: a phrase for each
   std::array<Interval, 3> drawn_rails;      ///< joint values that each rail is drawn between; empty where it is not
 };
 
