@@ -17,16 +17,15 @@ void declareZones(Options& options, Criterion& criterion)
   };
   declare("keep-in", Zone::Use::KEEP_IN, "a zone that the tool keeps within");
   declare("keep-out", Zone::Use::KEEP_OUT, "a zone that the tool keeps out of");
-  options.repeated(
-      "zones", "FILE", "zones of both sorts, and the tool's radius, in YAML (docs/conditions.md)",
-      [&criterion, &options](const Words& words) {
-        const ZoneFile file = readZoneFile(words[0]);
-        criterion.zones.insert(criterion.zones.end(), file.zones.begin(), file.zones.end());
-        if (file.tool_radius != 0.0 && options.given("tool-radius"))
-          throw std::invalid_argument("the file has a tool_radius: leave out --tool-radius, or give it after");
-        if (file.tool_radius != 0.0)
-          criterion.tool_radius = file.tool_radius;
-      });
+  options.repeated("zones", "FILE", "zones of both sorts, and the tool's radius, in YAML (docs/conditions.md)",
+                   [&criterion, &options](const Words& words) {
+                     const ZoneFile file = readZoneFile(words[0]);
+                     criterion.zones.insert(criterion.zones.end(), file.zones.begin(), file.zones.end());
+                     if (file.tool_radius != 0.0 && options.given("tool-radius"))
+                       throw std::invalid_argument("the file has a tool_radius: give --tool-radius after it, or not");
+                     if (file.tool_radius != 0.0)
+                       criterion.tool_radius = file.tool_radius;
+                   });
   options.number("tool-radius", criterion.tool_radius, LENGTH_NOT_NEGATIVE,
                  "by which all surfaces of zones are moved away from what the tool keeps to");
   options.check({ "tool-radius" }, [&criterion, &options](Problems& problems) {
@@ -37,8 +36,9 @@ void declareZones(Options& options, Criterion& criterion)
 
 void MachineOptions::declareCollisions(Options& options)
 {
-  options.flag("keep-out-collisions", keeps_out_collisions_,
-               "keep out of the collision geometry of links that do not move: boxes, cylinders and spheres of the URDF");
+  options.flag(
+      "keep-out-collisions", keeps_out_collisions_,
+      "keep out of the collision geometry of links that do not move: boxes, cylinders and spheres of the URDF");
 }
 
 void MachineOptions::addCollisions(Criterion& criterion, Problems& problems) const

@@ -68,6 +68,13 @@ void validateTogether(const Criterion& criterion, Problems& problems)
 }
 }  // namespace
 
+Criterion::Criterion() = default;
+Criterion::Criterion(const Criterion& other) = default;
+Criterion::Criterion(Criterion&& other) noexcept = default;
+Criterion& Criterion::operator=(const Criterion& other) = default;
+Criterion& Criterion::operator=(Criterion&& other) noexcept = default;
+Criterion::~Criterion() = default;
+
 void validateCriterion(const Criterion& criterion, const Origin& origin, Problems& problems)
 {
   BoundChecks checks(criterion, origin, problems);

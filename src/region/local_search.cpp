@@ -93,7 +93,7 @@ LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::V
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
 void LocalSearch::addExits(double trust)
 {
-  for (const Eigen::Vector3d& point : witnesses_.keptOut(from.center, bad_))
+  for (const Eigen::Vector3d& point : witnesses_.keptOut(from_.center, bad_))
   {
     Exit exit = exitOf(from_, point);
     if (travel_)

@@ -158,8 +158,7 @@ void readZonesOf(const CriterionRequest& request, Criterion& criterion, Problems
   readSwitch("own_zones", request.own_zones, counts_own, problems);
   if (!counts_own)
     criterion.zones.clear();
-  const bool is_none = request.tool_radius == std::numeric_limits<double>::infinity();
-  criterion.tool_radius = is_none ? 0.0 : valueOr(request.tool_radius, criterion.tool_radius);
+  criterion.tool_radius = request.tool_radius == INF ? 0.0 : valueOr(request.tool_radius, criterion.tool_radius);
   for (std::size_t k = 0; k < request.zones.size(); ++k)
     try
     {
@@ -235,37 +234,6 @@ void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, 
       if ((given.*JOINT_DATA[k].values)[leg] == 0.0 &&
           (criterion.*JOINT_DATA[k].values)[leg] == machine.leg(static_cast<int>(leg)).*JOINT_DATA[k].own)
         (criterion.*JOINT_DATA[k].values)[leg] = 0.0;
-}
-
-std::optional<Box> readCorners(bool given, const geometry_msgs::Point& min_corner,
-                               const geometry_msgs::Point& max_corner, const std::string& flag, Problems& problems)
-{
-  const Box corners{ { min_corner.x, min_corner.y, min_corner.z }, { max_corner.x, max_corner.y, max_corner.z } };
-  if (given)
-  {
-    const std::size_t before = problems.size();
-    requireFinite("min_corner", corners.lower, problems);
-    requireFinite("max_corner", corners.upper, problems);
-    return problems.size() == before ? std::optional<Box>(corners) : std::nullopt;
-  }
-  if (corners.lower != Eigen::Vector3d::Zero() || corners.upper != Eigen::Vector3d::Zero())
-    problems.push_back("min_corner and max_corner must be 0 [m] unless " + flag + " is true");
-  return std::nullopt;
-}
-
-double timeLimitOf(double requested, double node, double longest, Problems& problems)
-{
-  const double time_limit = valueOr(requested, node);
-  if (time_limit > 0.0 && time_limit <= longest)
-    return time_limit;
-  TextStream text;
-  text << "time_limit = " << time_limit << " s must be positive and at most ";
-  if (longest > node)
-    text << longest << " s, or 0 for the node's ~time_limit, " << node << " s";
-  else
-    text << "the node's ~time_limit, " << node << " s, or 0 for it";
-  problems.push_back(text.str());
-  return node;
 }
 
 Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Problems& problems)

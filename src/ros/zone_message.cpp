@@ -53,12 +53,12 @@ Zone readZoneOf(Zone::Use use, const XmlRpcValue& value)
     std::vector<double> list;
     if (member.first == "kind" || member.first == "name")
     {
-      if (!read(member.second, member.first == "kind" ? kind : name))
+      if (!pkm_workspace::read(member.second, member.first == "kind" ? kind : name))
         problems.push_back(member.first + " must be a text");
     }
-    else if (read(member.second, number))
+    else if (pkm_workspace::read(member.second, number))
       numbers[member.first] = { number };
-    else if (read(member.second, list))
+    else if (pkm_workspace::read(member.second, list))
       numbers[member.first] = list;
     else
       problems.push_back(member.first + " must be a number or a list of numbers");
@@ -79,7 +79,8 @@ Zone fromMessage(const ToolZone& message)
   throwProblems(problems);
   ZoneNumbers numbers;
   numbers[message.kind == ToolZone::HALF_SPACE ? "point" : "center"] = { message.pose.position.x,
-    message.pose.position.y, message.pose.position.z };
+                                                                         message.pose.position.y,
+                                                                         message.pose.position.z };
   const geometry_msgs::Quaternion& q = message.pose.orientation;
   if (!turnsNothing(q))
     numbers["orientation"] = { q.x, q.y, q.z, q.w };

@@ -65,7 +65,8 @@ bool measure(const urdf::Geometry& geometry, Zone& zone)
   if (const auto* const cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry))
   {
     zone.kind = ZoneKind::CYLINDER;
-    const double growth = grown(std::max(cylinder->radius, cylinder->length)) - std::max(cylinder->radius, cylinder->length);
+    const double longest = std::max(cylinder->radius, cylinder->length);
+    const double growth = grown(longest) - longest;
     zone.radius = cylinder->radius + growth;
     zone.height = cylinder->length + growth;
     return true;
@@ -78,7 +79,24 @@ bool measure(const urdf::Geometry& geometry, Zone& zone)
   }
   return false;
 }
+/// Whether a joint between the link and the root is not fixed.
+bool isMoved(const urdf::Link& link)
+{
+  for (const urdf::Link* below = &link; below->parent_joint; below = below->getParent().get())
+    if (below->parent_joint->type != urdf::Joint::FIXED)
+      return true;
+  return false;
+}
 }  // namespace
+
+std::vector<std::string> movedLinks(const Model& model)
+{
+  std::vector<std::string> moved;
+  for (const auto& [name, link] : model.tree->links_)
+    if (isMoved(*link))
+      moved.push_back(name);
+  return moved;
+}
 
 StillCollisions stillCollisions(const Model& model, const std::vector<std::string>& moved)
 {
@@ -96,7 +114,8 @@ StillCollisions stillCollisions(const Model& model, const std::vector<std::strin
       if (collision->geometry && measure(*collision->geometry, zone))
         found.zones.push_back(zone);
       else
-        found.open.push_back("link '" + name + "' has a mesh for collision geometry: give a box, cylinder or sphere in its place");
+        found.open.push_back("link '" + name +
+                             "' has a mesh for collision geometry: give a box, cylinder or sphere in its place");
     }
   }
   return found;

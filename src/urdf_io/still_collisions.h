@@ -11,6 +11,9 @@ namespace pkm_workspace
 {
 namespace urdf_io
 {
+/// The names of all links that hang at a joint which is not fixed.
+std::vector<std::string> movedLinks(const Model& model);
+
 /// The collision geometry of the links that do not move.
 struct StillCollisions
 {

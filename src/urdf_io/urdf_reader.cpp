@@ -238,23 +238,6 @@ std::vector<JointFollower> followersIn(const Model& model, const Rails& rails, c
       followers.push_back(model.masters.at(name));
   return followers;
 }
-/// Whether a joint between the link and the root is not fixed.
-bool isMoved(const urdf::Link& link)
-{
-  for (const urdf::Link* below = &link; below->parent_joint; below = below->getParent().get())
-    if (below->parent_joint->type != urdf::Joint::FIXED)
-      return true;
-  return false;
-}
-
-std::vector<std::string> movedLinks(const Model& model)
-{
-  std::vector<std::string> moved;
-  for (const auto& [name, link] : model.tree->links_)
-    if (isMoved(*link))
-      moved.push_back(name);
-  return moved;
-}
 }  // namespace
 
 UrdfMachine readUrdf(const std::string& xml, const UrdfOptions& options)

@@ -8,7 +8,9 @@
 #include "pkm_workspace/paving/reachable_volume.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/path_check.h"
+#include "pkm_workspace/region/turned_region.h"
 #include "support/cases.h"
+#include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
 
@@ -177,6 +179,32 @@ TEST(ZoneRegion, touchingFacesCostLittle)
     EXPECT_LE(region.boxes, 4000) << accuracy;
     EXPECT_LE(region.verification_boxes, 2000) << accuracy;
   }
+}
+
+/// Parallel rails slide past a zone that has ends: the largest square is as large as without it, at another height.
+TEST(ZoneRegion, liesAtAnotherHeightThanAZoneWithEnds)
+{
+  Machine::Legs legs = uranesx().legs();
+  for (Leg& leg : legs)
+    leg.limits = Interval(-1.0, 1.0);
+  ZoneCase passed{ "", Machine("limited", legs, uranesx().zero()), makeSquare(), {} };
+  passed.criterion.joint_limits = true;
+  const LargestRegion free = largest(passed, 1e-2);
+  const Zone beam = zoneAt(Zone::Use::KEEP_OUT, Zone::Kind::BOX, free.center, 0.2);
+  passed.criterion.zones = { beam };
+  const LargestRegion region = largest(passed, 1e-2);
+  EXPECT_GT(std::abs(region.center.z() - free.center.z()), 0.14);
+  EXPECT_GE(region.size_upper_bound, free.size);
+  EXPECT_GE(region.size, free.size_upper_bound - 2.1e-2);
+}
+
+TEST(ZoneRegion, isNotTurnedYet)
+{
+  RegionQuery query;
+  query.shape = makeSquare();
+  setTurned(query);
+  query.criterion.zones = { zoneAt(Zone::Use::KEEP_OUT, Zone::Kind::BOX, { 0.1, 0.0, 0.1 }, 0.1) };
+  expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); }, "may be turned");
 }
 
 /// A region that fills a zone: what it may measure is known.

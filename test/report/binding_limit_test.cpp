@@ -178,6 +178,7 @@ TEST(BindingLimit, tellsValuesFromBoundsAsShortlyAsItCan)
   EXPECT_EQ(says(at(Kind::REACH, 2, 0.5, 0.274, false)),
             "the strut of 'rail_z' is 0.274 m long and would have to reach 0.5 m across its rail");
 }
+
 /// At points where a tool has to be fast, struts have to keep their angles and factors their bounds.
 TEST(BindingLimit, isToldInShortByThreeDigitsOfTheDefinition)
 {
@@ -196,7 +197,8 @@ TEST(BindingLimit, isToldInShortByThreeDigitsOfTheDefinition)
     const double x = random.uniform(-0.4, 0.4);
     const double y = random.uniform(-0.4, 0.4);
     const Eigen::Vector3d p(x, y, random.uniform(-0.4, 0.4));
-    const Limit& limit = evaluate(p).binding();
+    const PointEvaluation at = evaluate(p);
+    const Limit& limit = at.binding();
     const std::string text = brief(limit, machine);
     std::smatch parts;
     ASSERT_TRUE(std::regex_match(text, parts, pattern)) << text;

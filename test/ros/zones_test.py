@@ -22,7 +22,8 @@ COLLISION = """<collision><origin xyz="0.1 0 0.1" rpy="0 0 0"/><geometry>{}</geo
 
 def with_collision(geometry):
     """The Orthoglide with this at its root link."""
-    return urdf("orthoglide").replace('<link name="base_link">', '<link name="base_link">' + COLLISION.format(geometry), 1)
+    link = '<link name="base_link">'
+    return urdf("orthoglide").replace(link, link + COLLISION.format(geometry), 1)
 
 
 class ZonesOfRequests(unittest.TestCase):
@@ -66,7 +67,8 @@ class ZonesOfRequests(unittest.TestCase):
         self.assertLessEqual(in_table.size, 0.3, "the room is along the axes of the table")
         self.assertGreaterEqual(in_table.size_upper_bound, 0.3)
         self.assertFalse(in_table.hypotheses.zones[0].in_root)
-        of_root = self.machine.largest_region(zones=[zone("keep_in", **ROOM, in_root=True)], frame="table", accuracy=1e-5)
+        there = zone("keep_in", **ROOM, in_root=True)
+        of_root = self.machine.largest_region(zones=[there], frame="table", accuracy=1e-5)
         edge = 0.3 / (math.sin(0.4) + math.cos(0.4))  # of a square turned within a strip
         self.assertLessEqual(of_root.size, edge + 1e-9)
         self.assertGreaterEqual(of_root.size_upper_bound, edge - 1e-9)

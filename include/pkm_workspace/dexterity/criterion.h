@@ -19,6 +19,14 @@ using JointValues = std::array<double, 3>;
 /// that are set. Values with defaults; validate() tells what is wrong.
 struct Criterion
 {
+  // Elsewhere, for what is compiled for one instruction set only must not be what all others get.
+  Criterion();
+  Criterion(const Criterion& other);
+  Criterion(Criterion&& other) noexcept;
+  Criterion& operator=(const Criterion& other);
+  Criterion& operator=(Criterion&& other) noexcept;
+  ~Criterion();
+
   /// Whether the velocity transmission factors psi are bounded: DEXTROUS asks for psi_min and psi_max, REACHABLE does
   /// not.
   enum class Set

@@ -56,8 +56,8 @@ std::string describe(const Zone& zone);
 /// The same in few words: its name, or its kind and place.
 std::string title(const Zone& zone);
 
-/// Appends one sentence for each thing that is wrong: too many zones, numbers out of range, a radius that leaves nothing
-/// of a zone to keep in.
+/// Appends one sentence for each thing that is wrong: too many zones, numbers out of range, a radius that leaves
+/// nothing of a zone to keep in.
 /// @param tool_radius [m]
 void validateZones(const std::vector<Zone>& zones, double tool_radius, Problems& problems);
 

@@ -49,7 +49,7 @@ struct Parameters
   std::vector<double> joint_acceleration_max = {};  ///< ~joint_acceleration_max of paths [m/s^2], > 0; one or three
   UrdfOptions urdf;                                 ///< ~rails, ~tcp_links, ~tool_link and ~tool
   bool publish_joint_states = true;                 ///< whether the model stands at the region's center
-  bool keep_out_collisions = false;  ///< of the links that do not move
+  bool keep_out_collisions = false;                 ///< of the links that do not move
   bool show_paving = true;                          ///< whether the markers show the set that the region lies in
   bool show_boundary = false;                       ///< whether they show its undecided boxes too
   SetColors set_colors = SetColors::CONDITION;      ///< ~set_colors: what colours of a set stand for

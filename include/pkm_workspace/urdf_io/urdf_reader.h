@@ -61,18 +61,18 @@ struct StrutHinges
 struct UrdfMachine
 {
   Machine machine;
-  std::string root_link;                    ///< frame of all numbers of the machine
-  std::array<std::string, 3> slider_links;  ///< moved by the machine's three joints, in their order
-  std::array<std::string, 3> tcp_links;     ///< where the legs meet, one link of each
-  std::string tool_point;                   ///< a phrase: which link is the tool point, and why
-  std::string gap;                          ///< a phrase: how far from assembled it is drawn at zero; empty: it is
-  std::array<StrutHinges, 3> hinges;        ///< for jointValues()
-  std::vector<JointFollower> followers;     ///< every joint that follows from the rails and hinges, these included
-  std::vector<std::string> warnings;        ///< what is in the URDF and not used, or hardly meant
-  std::vector<std::string> moved_links;     ///< all that hang at a joint that is not fixed
-  std::vector<Zone> still_collisions;       ///< what the links that do not move have for collision geometry, to keep out
+  std::string root_link;                     ///< frame of all numbers of the machine
+  std::array<std::string, 3> slider_links;   ///< moved by the machine's three joints, in their order
+  std::array<std::string, 3> tcp_links;      ///< where the legs meet, one link of each
+  std::string tool_point;                    ///< a phrase: which link is the tool point, and why
+  std::string gap;                           ///< a phrase: how far from assembled it is drawn at zero; empty: it is
+  std::array<StrutHinges, 3> hinges;         ///< for jointValues()
+  std::vector<JointFollower> followers;      ///< every joint that follows from the rails and hinges, these included
+  std::vector<std::string> warnings;         ///< what is in the URDF and not used, or hardly meant
+  std::vector<std::string> moved_links;      ///< all that hang at a joint that is not fixed
+  std::vector<Zone> still_collisions;        ///< of the links that do not move: their collision geometry, to keep out
   std::vector<std::string> open_collisions;  ///< of it what is no zone: a phrase for each
-  std::array<Interval, 3> drawn_rails;      ///< joint values that each rail is drawn between; empty where it is not
+  std::array<Interval, 3> drawn_rails;       ///< joint values that each rail is drawn between; empty where it is not
 };
 
 /// Reads a closed-loop machine from a URDF (docs/urdf.md): three branches, cut at the platform. Where it is not drawn
