@@ -37,6 +37,7 @@ const NamedCommand COMMANDS[] = {
   { "check", "whether every point of a given box is dextrous", makeCheck },
   { "path", "whether every point of a path of lines and arcs is dextrous", makePath },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
+  { "connect", "whether a path in the set leads from one point to another", makeConnect },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },
   { "study", "the best machine of a family with one parameter", makeStudy },
   { "singularities", "that there are none, or where one is", makeSingularities },

@@ -64,6 +64,7 @@ std::unique_ptr<Command> makeLargest();
 std::unique_ptr<Command> makeCheck();
 std::unique_ptr<Command> makePath();
 std::unique_ptr<Command> makePave();
+std::unique_ptr<Command> makeConnect();
 std::unique_ptr<Command> makeCompare();
 std::unique_ptr<Command> makeStudy();
 std::unique_ptr<Command> makeSingularities();

@@ -33,6 +33,10 @@ public:
            "the set in the aspect that is asked for, and of each aspect in "
            "own_aspect and other_aspect; of the first resolution [m], box [m], and boxes, boxes_here (looked at "
            "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending. "
+           "With --components, components: the largest first, each with its volume_lower, boxes, box, a point in it "
+           "[m] "
+           "and the cluster it is in, no path joins two clusters; clusters, how many; zero_component, the index of the "
+           "zero configuration's or null; components_message. "
            "With --list-boxes, listed: inside and undecided, each a list of boxes x0, x1, y0, y1, z0, z1 [m].";
   }
 
@@ -64,6 +68,9 @@ public:
         "list-boxes", list_boxes_, MOST_LISTED,
         "with --json, lists the boxes of the aspect that is asked for, at most so many: where there are more, "
         "larger ones, of which more are undecided");
+    options.flag("components", components_,
+                 "tells how the set hangs together in the aspect that is asked for: its connected components, which of "
+                 "them no path joins, and which one holds the zero configuration");
     options.flag("progress", progress_, PROGRESS_HELP);
     declareConditions(options);
   }
@@ -86,6 +93,9 @@ public:
     paved_.asked = query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0;
     paved_.reports[paved_.asked].ended_by = endedBy(paved_.reports);
     paved_.most_listed = list_boxes_;
+    PavingReport& asked = paved_.reports[paved_.asked];
+    if (components_)
+      asked.components = reportComponents(machine_.machine(), asked.paving, !query_.box, queries[paved_.asked].budget);
     return answerOf(machine_.machine(), paved_);
   }
 
@@ -127,7 +137,8 @@ private:
     {
       PavingQuery query = query_;
       query.criterion.aspect = aspect;
-      query.budget = query_.budget.inTurns(static_cast<double>(aspects().size())).sharedBy(aspects().size());
+      const std::size_t shares = aspects().size() + (components_ ? Components::BYTES_A_BOX : 0);
+      query.budget = query_.budget.inTurns(static_cast<double>(aspects().size())).sharedBy(shares);
       queries.push_back(query);
     }
     return queries;
@@ -158,6 +169,7 @@ private:
   MachineOptions machine_;
   PavingQuery query_;
   std::optional<double> resolution_;
+  bool components_ = false;
   bool progress_ = false;
   std::string save_;
   std::string resume_;

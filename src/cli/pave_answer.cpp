@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pave_answer.h"
 
+#include <algorithm>
 #include <ostream>
 
 #include "output.h"
@@ -82,6 +83,41 @@ void writeBoxes(const BoxTree& tree, std::int64_t most, std::ostream& out)
   out << "\n  }";
 }
 
+void addComponents(const PavingReport& report, Json& json)
+{
+  if (!report.components)
+    return;
+  const Measure measure(report.paving.box);
+  json["components"] = Json::array();
+  for (const Component& component : report.components->list)
+    json["components"].push_back({ { measure.name + "_lower", component.volume.lower() },
+                                   { "boxes", component.boxes },
+                                   { "box", toJson(component.bounds) },
+                                   { "point", toJson(component.point) },
+                                   { "cluster", component.cluster } });
+  json["clusters"] = report.components->clusters;
+  json["zero_component"] = report.components->zero ? Json(*report.components->zero) : Json();
+  json["components_message"] = report.components->message;
+}
+
+/// The largest ones in a table, and what is proved of all.
+std::string printComponents(const PavingReport& report)
+{
+  if (!report.components)
+    return "";
+  constexpr std::size_t MOST_ROWS = 10;
+  const Measure measure(report.paving.box);
+  const std::vector<Component>& list = report.components->list;
+  std::vector<Words> rows = { { "component", "cluster", measure.name + " at least", "boxes", "point in it" } };
+  for (std::size_t k = 0; k < std::min(MOST_ROWS, list.size()); ++k)
+    rows.push_back({ std::to_string(k + 1), std::to_string(list[k].cluster + 1),
+                     significantBelow(list[k].volume.lower(), 6) + measure.unit, std::to_string(list[k].boxes),
+                     describe(list[k].point) });
+  if (list.size() > MOST_ROWS)
+    rows.push_back({ "...", "", "", "", std::to_string(list.size() - MOST_ROWS) + " smaller ones" });
+  return aligned(rows, Align::LEFT) + "\n" + wrapped(report.components->message);
+}
+
 Json pavedJson(const Machine& machine, const Paved& paved)
 {
   const std::vector<PavingReport>& reports = paved.reports;
@@ -103,6 +139,7 @@ Json pavedJson(const Machine& machine, const Paved& paved)
   json["complete"] = asked.ended_by.empty();
   json["ended_by"] = asked.ended_by.empty() ? Json() : Json(asked.ended_by);
   addLimits(machine, whole.premises.criterion, asked.reaches, json);
+  addComponents(asked, json);
   json["message"] = asked.message(machine);
   return json;
 }
@@ -128,7 +165,8 @@ std::string print(const Machine& machine, const Paved& paved)
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(reports)) },
   };
   return "Paving of the points of machine '" + machine.name() + "' that are " + quality(criterion) + "\n\n" +
-         aligned(rows, Align::LEFT) + "\n" + wrapped(asked.message(machine)) + wrapped(definition(machine, criterion));
+         aligned(rows, Align::LEFT) + "\n" + wrapped(asked.message(machine)) + printComponents(asked) +
+         wrapped(definition(machine, criterion));
 }
 }  // namespace
 

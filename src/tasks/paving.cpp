@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/paving/reachable_volume.h"
+#include "pkm_workspace/report/connection_sentence.h"
 #include "pkm_workspace/report/paving_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
 
@@ -35,6 +36,19 @@ std::string PavingReport::message(const Machine& machine) const
 {
   return withRemark(describe(paving, measure, machine, ended_by),
                     remarkOnLimits(machine, paving.premises.criterion, reaches));
+}
+
+ComponentsReport reportComponents(const Machine& machine, const Paving& paving, bool is_whole, const Budget& budget)
+{
+  const RunningBudget running(budget);
+  const Components components(paving.tree, [&running] { return running.isOver(); });
+  ComponentsReport report;
+  report.list = components.list();
+  report.clusters = components.clusters();
+  report.zero = components.at(machine.zero());
+  const PointEvaluation zero = evaluatePoint(machine, paving.premises.criterion, machine.zero());
+  report.message = describe(components, is_whole, zero.verdict, report.zero);
+  return report;
 }
 
 double defaultResolution(const Machine& machine, const PavingQuery& query)

@@ -31,7 +31,9 @@ OPTIONS = {
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},
-    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes",
+                                                     "components"},
+    "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
     "compare": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
     "study": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON

@@ -41,6 +41,9 @@ WRONG = {
     "path too fast": (times("t = ", 1.2), times("is\\s+(?=\\S+\\s+m/s,\\s+above)", 2),
                       times("feed\\s+is\\s+proved\\s+to\\s+be\\s+", 2), times("(?<= to )(?=\\S+\\s+m/s; at)", 0.5)),
     "volume": (times("have an? (?:volume|area) of ", 3), ),
+    "components": (times(r"m\^[23] +\d+ +\(", 99), times("form ", 3)),
+    "connected": (times(r"path +\(", 3), times("path of ", 3)),
+    "apart": (instead(r"to +\(.*\) m", "to  (GOOD)"), ),
     "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"),
                       instead(r"there\s+are\s+[^.]*,\s+and\s+no", "there are no"),
                       times(r"\|eta\| \[m\] (?=0\.\d*[1-9])", 2)),
@@ -212,6 +215,22 @@ class Proved(CommandTest):
             for more in ((), ("--aspect", "other"), ("--set", "reachable", "--aspect", "both"),
                          ("--max-boxes", 300), ("--joint-limits", "off")):
                 self.held(name, "pave", "--resolution", self.accuracy(name, 0.1), *more)
+
+    def test_components(self):
+        for name in self.urdfs:
+            for more in (("--psi-min", 0.2, "--psi-max", 5), ("--set", "reachable")):
+                self.held(name, "pave", "--components", "--resolution", self.accuracy(name, 0.05), *more)
+
+    def test_connections(self):
+        length = self.machines["orthoglide"].span
+        factors = ("--psi-min", 0.2, "--psi-max", 5)
+        self.held("orthoglide", "connect", "--to", *[0.65 * length] * 3, *factors, "--joint-limits", "off")
+        for name in self.urdfs:
+            center = self.good_point(SimpleNamespace(machine=self.machines[name]))
+            for width in (0.1, 0.3, 0.5):
+                spread = width * self.machines[name].span
+                to = [x + self.rng.uniform(-spread, spread) for x in center]
+                self.held(name, "connect", "--to", *to, *factors, point=to)
 
     def test_means(self):
         for name in self.urdfs:

@@ -19,9 +19,12 @@ URANESX_STUDY = "study --machine uranesx --parameter R-r "
 # command line, and a regular expression for a line of standard error
 REFUSALS = [
     ("", "a command is missing"),
-    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, pave, compare, study, singularities, "
-             "guarantee, conditioning, urdf"),
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, pave, connect, compare, study, "
+             "singularities, guarantee, conditioning, urdf"),
     ("-h", "'-h' is not a command"),
+    (f"connect --urdf {ORTHOGLIDE}", "--to X Y Z: the option is missing"),
+    (f"connect --urdf {ORTHOGLIDE} --to 9 0 0 --box 0 1 0 1 0 1",
+     r"the point \(9 0 0\) m is not in the box; give a box"),
     ("largest", "--urdf FILE: the option is missing"),
     ("largest --urdf", r"--urdf: needs one value \(FILE\), got 0"),
     ("largest --urdf /no/such/file.urdf", "--urdf /no/such/file.urdf: .*No such file or directory"),

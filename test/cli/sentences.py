@@ -4,6 +4,7 @@
 import re
 
 import claims
+import connection_claims
 import guarantee_claims
 import rate_claims
 import table_claims
@@ -65,6 +66,9 @@ CLAIMS = {
     "path too fast": (rate_claims.FAST, rate_claims.too_fast),
     "path leaves": (LEAVES, rate_claims.leaves),
     "volume": (VOLUME, claims.volume),
+    "components": (connection_claims.COMPONENTS, connection_claims.components),
+    "connected": (connection_claims.CONNECTED, connection_claims.connected),
+    "apart": (connection_claims.APART, connection_claims.apart),
     "mean": (MEAN, table_claims.mean),
     "no mean": (NO_MEAN, None),
     "guarantee": (guarantee_claims.GUARANTEE, guarantee_claims.guarantee),

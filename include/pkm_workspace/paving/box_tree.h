@@ -48,6 +48,8 @@ public:
     result[axis] = 2 * cell[axis] + side;
     return result;
   }
+  /// How often each side has been halved at a level.
+  const std::array<int, 3>& halvings(std::size_t level) const { return halvings_[level]; }
   /// How many sides of the root have a width: 3, or 2 for a flat box.
   int dimension() const;
   /// Encloses the volume of every box of a level [m^3]; of flat boxes the area [m^2], of lines the length [m].
