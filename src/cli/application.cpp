@@ -45,6 +45,7 @@ const NamedCommand COMMANDS[] = {
   { "conditioning", "the global conditioning index of a region or of the whole set", makeConditioning },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
   { "import", "the URDF of a linear delta from the configuration of its controller", makeImport },
+  { "export", "a proved region as limits for the configuration of a controller", makeExport },
 };
 
 constexpr const char* LOST_OUTPUT = "standard output cannot be written";

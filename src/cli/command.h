@@ -72,5 +72,6 @@ std::unique_ptr<Command> makeConditioning();
 std::unique_ptr<Command> makeGuarantee();
 std::unique_ptr<Command> makeUrdf();
 std::unique_ptr<Command> makeImport();
+std::unique_ptr<Command> makeExport();
 }  // namespace cli
 }  // namespace pkm_workspace

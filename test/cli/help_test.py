@@ -43,6 +43,7 @@ OPTIONS = {
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | BODY | {"center", "accuracy"},
     "guarantee": MACHINE | BUDGET | COMMON | BODY | JOINT_DATA | {"center", "aspect", "accuracy", "quantity"},
+    "export": MACHINE | CRITERION | COMMON | BODY | {"time-limit", "center", "format", "top-by-slicer", "output"},
     "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
                       "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
@@ -88,6 +89,7 @@ class Help(CommandTest):
         self.addCleanup(os.chdir, "/")
         for name, path in MACHINES.items():
             (self.folder / f"{name}.urdf").symlink_to(path)
+        self.file("delta.urdf", self.text("import", DATA / "firmware" / "klipper.cfg"))
         (self.folder / "printer.cfg").symlink_to(DATA / "firmware" / "klipper.cfg")
         for command in OPTIONS:
             examples = re.findall(r"(?m)^  pkm (.*)$", self.text(command, "--help"))

@@ -87,6 +87,24 @@ TEST(Connection, isNoneBetweenPiecesOfOneAspect)
   EXPECT_NE(report.message.find("no path in the part of the set in the box joins them"), std::string::npos);
 }
 
+TEST(Connection, goesAroundAZoneToKeepOutOf)
+{
+  const Machine machine = orthoglide();
+  ConnectionTask task = between(Vector3d::Zero(), Vector3d(0.4, 0.0, 0.0));
+  task.query.criterion.psi_min = 0.5;
+  task.query.criterion.psi_max = 2.0;
+  Zone wall;
+  wall.pose.translation = Vector3d(0.2, -1.9, 0.0);
+  wall.sides = Vector3d(0.05, 4.0, 4.0);  // up to y = 0.1
+  task.query.criterion.zones = { wall };
+  const ConnectionReport around = connect(machine, task);
+  expectGoodPath(machine, task, around);
+  EXPECT_GT(around.path.size(), 2U);
+  wall.pose.translation.y() = 0.0;
+  task.query.criterion.zones = { wall };
+  EXPECT_EQ(connect(machine, task).verdict, Verdict::APART);
+}
+
 TEST(Connection, isSettledByAFinerResolution)
 {
   ConnectionTask task = between(Vector3d::Zero(), Vector3d::Constant(0.65));
