@@ -42,7 +42,7 @@ WRONG = {
                       times("feed\\s+is\\s+proved\\s+to\\s+be\\s+", 2), times("(?<= to )(?=\\S+\\s+m/s; at)", 0.5)),
     "volume": (times("have an? (?:volume|area) of ", 3), ),
     "components": (times(r"m\^[23] +\d+ +\(", 99), times("form ", 3)),
-    "connected": (times(r"path +\(", 3), times("path of ", 3)),
+    "connected": (instead(r"(path +)\(.*\) m", r"\1(0.1, 0.2, 0.3) m"), times("path of ", 3)),
     "apart": (instead(r"to +\(.*\) m", "to  (GOOD)"), ),
     "singularities": (instead(r"none( +\|)", r"at (0.05, 0.02, 0.03) m\1"),
                       instead(r"there\s+are\s+[^.]*,\s+and\s+no", "there are no"),
