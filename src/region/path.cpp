@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/path.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -76,9 +77,9 @@ struct GivenCircle
   IntervalVector u;       ///< from the center to the start [m]
   IntervalVector w;       ///< a quarter on [m]
 
-  Curve curve(const Interval& angle, double lift = 0.0) const
+  Curve curve(const Interval& angle, const Interval& lift = Interval(0.0)) const
   {
-    return Curve(center, lift == 0.0 ? IntervalVector{} : Interval(lift) * axis, u, w, angle);
+    return Curve(center, lift == Interval(0.0) ? IntervalVector{} : lift * axis, u, w, angle);
   }
 };
 
@@ -164,7 +165,7 @@ PathSegment PathSegment::arc(const Vector3d& start, const Vector3d& center, cons
   Checks checks("arc");
   checks.point("start", start).point("center", center).direction("axis", axis);
   checks.number("angle", angle, ARC_LARGEST_ANGLE, "rad").number("lift", lift, FARTHEST, "m").throwIfAny();
-  return PathSegment(circleAbout(start, center, axis, checks).curve(angle, lift));
+  return PathSegment(circleAbout(start, center, axis, checks).curve(Interval(angle), Interval(lift)));
 }
 
 PathSegment PathSegment::circle(const Vector3d& start, const Vector3d& center, const Vector3d& axis)
@@ -189,13 +190,32 @@ PathSegment PathSegment::arcTo(const Vector3d& start, const Vector3d& center, co
   Checks checks("arc");
   checks.point("start", start).point("center", center).direction("axis", axis).point("end", end).throwIfAny();
   const GivenCircle circle = circleAbout(start, center, axis, checks);
-  const PathSegment segment(circle.curve(angleTo(circle, end, checks)));
-  const double mismatch = norm(segment.curve_.point(1.0) - enclose(end)).upper();
+  return endingAt(end, circle.curve(angleTo(circle, end, checks)), norm(circle.u).mid());
+}
+
+PathSegment PathSegment::helixTo(const Vector3d& start, const Vector3d& center, const Vector3d& axis,
+                                 const Vector3d& end, int turns)
+{
+  Checks checks("arc");
+  checks.point("start", start).point("center", center).direction("axis", axis).point("end", end);
+  checks.number("turns", turns, ARC_LARGEST_ANGLE / 7.0, "").throwIfAny();
+  const GivenCircle circle = circleAbout(start, center, axis, checks);
+  const bool is_whole = Vector3d(end - start).cross(axis) == Vector3d::Zero();
+  const Interval part = is_whole ? Interval(2.0) * pi() : angleTo(circle, end, checks);
+  const Interval lift = dot(enclose(end) - enclose(start), circle.axis);
+  const Interval angle = part + Interval(2.0 * (turns - 1)) * pi();
+  return endingAt(end, circle.curve(angle, lift), norm(circle.u).mid());
+}
+
+PathSegment PathSegment::endingAt(const Vector3d& end, const Curve& curve, double radius)
+{
+  Checks checks("arc");
+  const double mismatch = norm(curve.point(1.0) - enclose(end)).upper();
   if (!(mismatch <= ARC_MISMATCH))
     checks.add() << Named{ "end", end } << " is " << roundedUp(mismatch, 9)
-                 << " m beside the circle through the start, of radius " << nearly(norm(circle.u).mid())
-                 << " m; allowed are " << exact(ARC_MISMATCH) << " m";
+                 << " m beside the circle through the start, of radius " << nearly(radius) << " m; allowed are "
+                 << exact(ARC_MISMATCH) << " m";
   checks.throwIfAny();
-  return segment;
+  return PathSegment(curve);
 }
 }  // namespace pkm_workspace

@@ -17,19 +17,25 @@ constexpr double LONGEST_PIECE = 1.0 / 64.0;
 constexpr double LARGEST_ANGLE = 1.0 / 16.0;
 constexpr double MOST_PIECES = 4096.0;
 
-PathMotion asPathMotion(const PieceMotion& motion, double tool_speed)
+/// @param motion with speeds of joints at the speed of the tool
+PathMotion asPathMotion(const PieceMotion& motion)
 {
   PathMotion result;
   for (std::size_t i = 0; i < 3; ++i)
   {
     result.psi[i] = Interval(std::max(0.0, motion.psi[i].lower), motion.psi[i].upper);
     result.joint[i] = Interval(motion.joint[i].lower, motion.joint[i].upper);
-    const Interval speed = Interval(0.0, motion.speed[i]) * Interval(tool_speed);
-    result.joint_speed[i] = speed.upper();
+    result.joint_speed[i] = motion.speed[i];
   }
   return result;
 }
 
+/// From the speeds of joints at 1 m/s.
+void setSpeeds(const Interval& tool_speed, PieceMotion& motion)
+{
+  for (double& speed : motion.speed)
+    speed = tool_speed.upper() > 0.0 ? (Interval(0.0, speed) * tool_speed).upper() : 0.0;
+}
 }  // namespace
 
 /// Some segments at a time: all are looked at piece by piece, and those that this does not prove INSIDE are followed
@@ -43,9 +49,11 @@ public:
     open_.reserve(AT_A_TIME);
   }
 
-  void add(const PathSegment& segment)
+  void add(const PathStep& step)
   {
-    open_.push_back({ segment });
+    const std::size_t index = done_ + open_.size();
+    const Interval tool_speed = step.tool_speed.value_or(Interval(query_.tool_speed));
+    open_.push_back({ { step.segment.curve(), tool_speed }, step.id.value_or(index) });
     if (open_.size() == AT_A_TIME)
       checkOpen();
   }
@@ -54,7 +62,7 @@ public:
   {
     checkOpen();
     if (result_.verdict == Containment::INSIDE && done_ > 0)
-      result_.motion = asPathMotion(motion_, query_.tool_speed);
+      result_.motion = asPathMotion(motion_);
     if (query_.wants_rates)
       result_.rates = rates_;
     result_.looks = looks_.count();
@@ -65,7 +73,8 @@ public:
 private:
   struct Open
   {
-    PathSegment segment;
+    Way way;
+    std::size_t id;
     PieceMotion motion = noMotion();
     bool is_good = true;  ///< all its pieces are INSIDE
   };
@@ -93,7 +102,7 @@ private:
 
   void addPieces(std::size_t index)
   {
-    const Curve& curve = open_[index].segment.curve();
+    const Curve& curve = open_[index].way.curve;
     const double parts = piecesOf(curve);
     looks_.allowFor(static_cast<std::int64_t>(parts));
     if (looks_.isOver())
@@ -104,7 +113,7 @@ private:
     for (double k = 0.0; k < parts; k += 1.0)
     {
       owner_[count_] = index;
-      pieces_[count_] = { &curve, k / parts, (k + 1.0) / parts };
+      pieces_[count_] = { &open_[index].way, k / parts, (k + 1.0) / parts };
       if (++count_ == BATCH)
         flush();
     }
@@ -132,63 +141,71 @@ private:
     }
     else if (!looks_.isOver())
     {
-      SegmentProof proof(open.segment.curve(), looks_, !result_.first);
+      SegmentProof proof(open.way, looks_, !result_.first);
       check = proof.run();
       parts = proof.open();
       open.motion = proof.motion();
     }
     if (check.verdict == Containment::INSIDE)
     {
-      check.motion = asPathMotion(open.motion, query_.tool_speed);
+      setSpeeds(open.way.tool_speed, open.motion);
+      check.motion = asPathMotion(open.motion);
       merge(open.motion, motion_);
     }
     else
-      offend(open.segment, check, parts);
+      offend(open, check, parts);
     if (query_.wants_rates)
-      addRates(open.segment.curve(), check);
+      addRates(open, check);
     tell_(check);
   }
 
-  void addRates(const Curve& curve, SegmentCheck& check)
+  void addRates(const Open& open, SegmentCheck& check)
   {
-    check.rates = RateSearch(curve, static_cast<std::size_t>(piecesOf(curve)), looks_, query_).run();
+    const auto pieces = static_cast<std::size_t>(piecesOf(open.way.curve));
+    check.rates = RateSearch(open.way, pieces, looks_, query_).run();
     if (check.rates->feed.lower < rates_.feed.lower)
-      result_.slowest = done_;
+      result_.slowest = open.id;
     merge(*check.rates, rates_);
   }
 
-  void offend(const PathSegment& segment, const SegmentCheck& check, const std::vector<PathPart>& parts)
+  void offend(const Open& open, SegmentCheck& check, const std::vector<PathPart>& parts)
   {
     const bool is_outside = check.verdict == Containment::OUTSIDE;
     if (result_.verdict != Containment::OUTSIDE)
       result_.verdict = check.verdict;
-    if (!result_.first)
-    {
-      result_.first = offenceOf(segment, check, parts);
-      if (is_outside)
-        result_.proved = result_.first;
-    }
-    else if (is_outside && !result_.proved)
-      result_.proved = offenceOf(segment, check, { { check.good_until, *check.bad_at } });
+    const bool is_first = !result_.first;
+    const bool is_proof = is_outside && !result_.proved;
+    const bool is_told = offences_++ < query_.most_offences;
+    if (!is_first && !is_proof && !is_told)
+      return;
+    const std::vector<PathPart> near_end = { { check.good_until, check.bad_at.value_or(1.0) } };
+    const PathOffence offence = offenceOf(open, check, is_first ? parts : near_end);
+    if (is_first)
+      result_.first = offence;
+    if (is_proof)
+      result_.proved = offence;
+    if (is_told)
+      check.offence = offence;
   }
 
-  PathOffence offenceOf(const PathSegment& segment, const SegmentCheck& check, const std::vector<PathPart>& parts) const
+  PathOffence offenceOf(const Open& open, const SegmentCheck& check, const std::vector<PathPart>& parts) const
   {
     PathOffence offence;
-    offence.segment = done_;
+    offence.segment = open.id;
     offence.good_until = check.good_until;
     offence.bad_at = check.bad_at;
     offence.open = parts;
-    offence.point = segment.point(check.bad_at.value_or(check.good_until));
-    offence.limit = limitAt(segment, offence);
+    offence.point = mid(open.way.curve.point(check.bad_at.value_or(check.good_until)));
+    offence.tool_speed = open.way.tool_speed;
+    offence.limit = limitAt(open.way, offence);
     return offence;
   }
 
   /// What binds there, of the criterion and of the limits on the joints' rates.
-  Limit limitAt(const PathSegment& segment, const PathOffence& offence) const
+  Limit limitAt(const Way& way, const PathOffence& offence) const
   {
     PointEvaluation there = evaluator_(offence.point);
-    for (const Limit& limit : looks_.limitsAt(segment.curve(), offence.bad_at.value_or(offence.good_until)))
+    for (const Limit& limit : looks_.limitsAt(way, offence.bad_at.value_or(offence.good_until)))
       there.limits.push_back(limit);
     return there.binding();
   }
@@ -204,10 +221,11 @@ private:
   PieceMotion motion_ = noMotion();  ///< over all segments that are INSIDE
   PathRates rates_ = noRates();      ///< over all segments
   std::size_t done_ = 0;             ///< segments
+  std::size_t offences_ = 0;         ///< segments that are not INSIDE
   std::vector<Open> open_;
 
   std::array<std::size_t, BATCH> owner_;
-  std::array<CurveSpan, BATCH> pieces_;
+  std::array<WaySpan, BATCH> pieces_;
   std::array<BoxVerdict, BATCH> verdicts_;
   std::array<PieceMotion, BATCH> found_;
   std::size_t count_ = 0;
@@ -219,9 +237,9 @@ PathChecker::PathChecker(const PointEvaluator& evaluator, const PathQuery& query
 
 PathChecker::~PathChecker() = default;
 
-void PathChecker::add(const PathSegment& segment)
+void PathChecker::add(const PathStep& step)
 {
-  proof_->add(segment);
+  proof_->add(step);
 }
 
 PathResult PathChecker::finish()

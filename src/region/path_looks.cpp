@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_looks.h"
 
+#include <algorithm>
+
 namespace pkm_workspace
 {
 namespace
@@ -11,6 +13,12 @@ void complainOfLimits(const char* name, const std::array<double, 3>& limits, con
     if (!(limit > 0.0))
       complain(problems, name, limit, unit);
 }
+
+/// The rate at a speed of the tool.
+Interval atSpeed(const Span<double>& rate, Limit::Kind kind, const Interval& tool_speed)
+{
+  return Interval(rate.lower, rate.upper) * (kind == Limit::Kind::JOINT_SPEED ? tool_speed : sqr(tool_speed));
+}
 }  // namespace
 
 void JointRateLimits::validate(Problems& problems) const
@@ -20,11 +28,7 @@ void JointRateLimits::validate(Problems& problems) const
 }
 
 PathLooks::PathLooks(const BoxKernel& kernel, const PathQuery& query)
-  : kernel_(kernel)
-  , query_(query)
-  , holds_(query.holds_limits && query.limits.any())
-  , speed_(query.tool_speed)
-  , squared_speed_(sqr(speed_))
+  : kernel_(kernel), query_(query), holds_(query.holds_limits && query.limits.any())
 {}
 
 bool PathLooks::isOver()
@@ -35,50 +39,47 @@ bool PathLooks::isOver()
   return is_over;
 }
 
-void PathLooks::look(const CurveSpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions)
+void PathLooks::look(const WaySpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions)
 {
   Pieces pieces;
   for (std::size_t k = 0; k < count; ++k)
-    pieces[k] = spans[k].curve->piece(spans[k].first, spans[k].last);
+    pieces[k] = spans[k].way->curve.piece(spans[k].first, spans[k].last);
   kernel_.look(pieces.data(), count, verdicts, motions);
   count_ += static_cast<std::int64_t>(count);
-  if (!holds_)
+  const auto counts = [](const WaySpan& span) { return span.way->tool_speed.upper() > 0.0; };
+  if (!holds_ || std::none_of(spans, spans + count, counts))
     return;
   std::array<PieceRates, MOST> rates;
   ratesOf(pieces, spans, count, rates.data());
   for (std::size_t k = 0; k < count; ++k)
-    hold(rates[k], verdicts[k]);
+    if (counts(spans[k]))
+      hold(rates[k], spans[k].way->tool_speed, verdicts[k]);
 }
 
-void PathLooks::rates(const CurveSpan* spans, std::size_t count, PieceRates* rates)
+void PathLooks::rates(const WaySpan* spans, std::size_t count, PieceRates* rates)
 {
   Pieces pieces;
   for (std::size_t k = 0; k < count; ++k)
-    pieces[k] = spans[k].curve->piece(spans[k].first, spans[k].last);
+    pieces[k] = spans[k].way->curve.piece(spans[k].first, spans[k].last);
   ratesOf(pieces, spans, count, rates);
   rates_count_ += static_cast<std::int64_t>(count);
 }
 
-void PathLooks::ratesOf(const Pieces& pieces, const CurveSpan* spans, std::size_t count, PieceRates* rates) const
+void PathLooks::ratesOf(const Pieces& pieces, const WaySpan* spans, std::size_t count, PieceRates* rates) const
 {
   std::array<SkewBox<double>, MOST> curvatures;
   for (std::size_t k = 0; k < count; ++k)
-    curvatures[k] = spans[k].curve->curvatures(spans[k].first, spans[k].last);
+    curvatures[k] = spans[k].way->curve.curvatures(spans[k].first, spans[k].last);
   kernel_.rates(pieces.data(), curvatures.data(), count, rates);
 }
 
-Interval PathLooks::atSpeed(const Span<double>& rate, Limit::Kind kind) const
-{
-  return Interval(rate.lower, rate.upper) * (kind == Limit::Kind::JOINT_SPEED ? speed_ : squared_speed_);
-}
-
 /// Every point of a piece is bad where one rate is above its limit at all of them.
-void PathLooks::hold(const PieceRates& rates, BoxVerdict& verdict) const
+void PathLooks::hold(const PieceRates& rates, const Interval& tool_speed, BoxVerdict& verdict) const
 {
   bool keeps = true;
   bool breaks = false;
   forEachLimit(query_.limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
-    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind);
+    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind, tool_speed);
     keeps = keeps && rate.upper() <= limit;
     breaks = breaks || rate.lower() > limit;
   });
@@ -88,17 +89,17 @@ void PathLooks::hold(const PieceRates& rates, BoxVerdict& verdict) const
     verdict = BoxVerdict::UNDECIDED;
 }
 
-std::vector<Limit> PathLooks::limitsAt(const Curve& curve, double t) const
+std::vector<Limit> PathLooks::limitsAt(const Way& way, double t) const
 {
   std::vector<Limit> limits;
-  if (!holds_)
+  if (!holds_ || way.tool_speed.upper() == 0.0)
     return limits;
-  const CurvePiece piece = curve.piece(t, t);
-  const SkewBox<double> curvature = curve.curvatures(t, t);
+  const CurvePiece piece = way.curve.piece(t, t);
+  const SkewBox<double> curvature = way.curve.curvatures(t, t);
   PieceRates rates;
   kernel_.rates(&piece, &curvature, 1, &rates);
   forEachLimit(query_.limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
-    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind);
+    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind, way.tool_speed);
     if (rate.isBounded())
       limits.push_back({ kind, static_cast<int>(leg), rate, limit, Interval(limit) - rate });
   });

@@ -9,10 +9,17 @@
 
 namespace pkm_workspace
 {
-/// A piece of a curve: first <= t <= last.
-struct CurveSpan
+/// A curve, and the speed of the tool along it [m/s]; 0 where no limit on rates is held.
+struct Way
 {
-  const Curve* curve;
+  Curve curve;
+  Interval tool_speed;
+};
+
+/// A piece of it: first <= t <= last.
+struct WaySpan
+{
+  const Way* way;
   double first;
   double last;
 };
@@ -58,26 +65,23 @@ public:
   bool isOverForRates() const { return isStopped() || isSpent(rates_count_); }
 
   /// At most MOST pieces: whether they keep criterion and limits. @param motions may be nullptr
-  void look(const CurveSpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions);
+  void look(const WaySpan* spans, std::size_t count, BoxVerdict* verdicts, PieceMotion* motions);
   /// At most MOST pieces.
-  void rates(const CurveSpan* spans, std::size_t count, PieceRates* rates);
+  void rates(const WaySpan* spans, std::size_t count, PieceRates* rates);
   /// The limits on the rates that are held, at one point.
-  std::vector<Limit> limitsAt(const Curve& curve, double t) const;
+  std::vector<Limit> limitsAt(const Way& way, double t) const;
 
 private:
   using Pieces = std::array<CurvePiece, MOST>;
 
   bool isStopped() const { return query_.stop != nullptr && *query_.stop; }
   bool isSpent(std::int64_t looks) const { return looks >= query_.max_looks + pieces_ * query_.looks_per_piece; }
-  void ratesOf(const Pieces& pieces, const CurveSpan* spans, std::size_t count, PieceRates* rates) const;
-  /// The rate at the tool speed asked for.
-  Interval atSpeed(const Span<double>& rate, Limit::Kind kind) const;
-  void hold(const PieceRates& rates, BoxVerdict& verdict) const;
+  void ratesOf(const Pieces& pieces, const WaySpan* spans, std::size_t count, PieceRates* rates) const;
+  void hold(const PieceRates& rates, const Interval& tool_speed, BoxVerdict& verdict) const;
 
   const BoxKernel& kernel_;
   const PathQuery& query_;
-  const bool holds_;                      ///< whether there is a limit to be held
-  const Interval speed_, squared_speed_;  ///< of the tool [m/s]
+  const bool holds_;  ///< whether there is a limit to be held
   std::int64_t count_ = 0;
   std::int64_t rates_count_ = 0;
   std::int64_t pieces_ = 0;

@@ -41,8 +41,8 @@ void merge(const PathRates& part, PathRates& sum)
   sum.feed.upper = upper;
 }
 
-RateSearch::RateSearch(const Curve& curve, std::size_t pieces, PathLooks& looks, const PathQuery& query)
-  : curve_(curve), pieces_(pieces), looks_(looks), query_(query)
+RateSearch::RateSearch(const Way& way, std::size_t pieces, PathLooks& looks, const PathQuery& query)
+  : way_(way), pieces_(pieces), looks_(looks), query_(query)
 {}
 
 PathRates RateSearch::run()
@@ -68,7 +68,7 @@ bool RateSearch::isDone() const
 /// Looks at equal parts of [first, last]. Where no more looks are allowed, nothing is known of what is left.
 void RateSearch::add(double first, double last, std::size_t parts)
 {
-  std::array<CurveSpan, PathLooks::MOST> spans;
+  std::array<WaySpan, PathLooks::MOST> spans;
   std::array<PieceRates, PathLooks::MOST> rates;
   const auto at = [&](std::size_t k) {
     return k == parts ? last : first + static_cast<double>(k) / static_cast<double>(parts) * (last - first);
@@ -78,7 +78,7 @@ void RateSearch::add(double first, double last, std::size_t parts)
     const std::size_t count = std::min(PathLooks::MOST, parts - begin);
     for (std::size_t k = 0; k < count; ++k)
     {
-      spans[k] = { &curve_, at(begin + k), at(begin + k + 1) };
+      spans[k] = { &way_, at(begin + k), at(begin + k + 1) };
       rates[k].speed.fill({ 0.0, INF });
       rates[k].acceleration.fill({ 0.0, INF });
     }
@@ -94,7 +94,7 @@ void RateSearch::add(double first, double last, std::size_t parts)
   }
 }
 
-RateSearch::Part RateSearch::partOf(const CurveSpan& span, const PieceRates& rates) const
+RateSearch::Part RateSearch::partOf(const WaySpan& span, const PieceRates& rates) const
 {
   Part part{ span.first, span.last, {}, {} };
   for (std::size_t i = 0; i < 3; ++i)
@@ -118,7 +118,7 @@ PathRates RateSearch::result() const
   PathRates rates = noRates();
   rates.feed = parts_.front().feed;
   rates.feed.upper = upper_;
-  const Interval square = sqr(Interval(query_.tool_speed));
+  const Interval square = sqr(way_.tool_speed);
   for (std::size_t i = 0; i < 3; ++i)
   {
     double most = 0.0;

@@ -13,7 +13,7 @@ class RateSearch
 {
 public:
   /// @param pieces that the segment has at first
-  RateSearch(const Curve& curve, std::size_t pieces, PathLooks& looks, const PathQuery& query);
+  RateSearch(const Way& way, std::size_t pieces, PathLooks& looks, const PathQuery& query);
 
   PathRates run();
 
@@ -27,11 +27,11 @@ private:
 
   static bool isFaster(const Part& one, const Part& other) { return one.feed.lower > other.feed.lower; }
   void add(double first, double last, std::size_t parts);
-  Part partOf(const CurveSpan& span, const PieceRates& rates) const;
+  Part partOf(const WaySpan& span, const PieceRates& rates) const;
   bool isDone() const;
   PathRates result() const;
 
-  const Curve& curve_;
+  const Way& way_;
   const std::size_t pieces_;
   PathLooks& looks_;
   const PathQuery& query_;

@@ -50,8 +50,8 @@ void merge(const PieceMotion& motion, PieceMotion& sum)
   }
 }
 
-SegmentProof::SegmentProof(const Curve& curve, PathLooks& looks, bool to_the_end)
-  : curve_(curve), looks_(looks), to_the_end_(to_the_end), most_open_(to_the_end ? MOST_OPEN : 1)
+SegmentProof::SegmentProof(const Way& way, PathLooks& looks, bool to_the_end)
+  : way_(way), looks_(looks), to_the_end_(to_the_end), most_open_(to_the_end ? MOST_OPEN : 1)
 {}
 
 SegmentCheck SegmentProof::run()
@@ -94,13 +94,13 @@ bool SegmentProof::advance(double first, double last)
     return false;
   }
   std::array<double, PIECES + 1> t;
-  std::array<CurveSpan, PIECES> pieces;
+  std::array<WaySpan, PIECES> pieces;
   std::array<BoxVerdict, PIECES> verdicts;
   std::array<PieceMotion, PIECES> motions;
   for (std::size_t k = 0; k <= PIECES; ++k)
     t[k] = k == PIECES ? last : first + static_cast<double>(k) / PIECES * (last - first);
   for (std::size_t k = 0; k < PIECES; ++k)
-    pieces[k] = { &curve_, t[k], t[k + 1] };
+    pieces[k] = { &way_, t[k], t[k + 1] };
   looks_.look(pieces.data(), PIECES, verdicts.data(), motions.data());
   if (!to_the_end_)
     for (std::size_t k = 0; k < PIECES; ++k)
@@ -156,13 +156,13 @@ bool SegmentProof::seekBad(double from)
 {
   constexpr std::size_t MOST = PathLooks::MOST;
   std::array<double, MOST> t;
-  std::array<CurveSpan, MOST> pieces;
+  std::array<WaySpan, MOST> pieces;
   std::array<BoxVerdict, MOST> verdicts;
   std::size_t count = 0;
   for (double step = 0x1p-54; count < MOST && (count == 0 || t[count - 1] < 1.0); step *= 2.0)
   {
     t[count] = std::min(1.0, from + step);
-    pieces[count] = { &curve_, t[count], t[count] };
+    pieces[count] = { &way_, t[count], t[count] };
     ++count;
   }
   looks_.look(pieces.data(), count, verdicts.data(), nullptr);

@@ -21,7 +21,7 @@ class SegmentProof
 {
 public:
   /// @param to_the_end whether the open parts are wanted as narrow as doubles allow, or only the verdict
-  SegmentProof(const Curve& curve, PathLooks& looks, bool to_the_end);
+  SegmentProof(const Way& way, PathLooks& looks, bool to_the_end);
 
   SegmentCheck run();
   /// What the machine does, after INSIDE.
@@ -38,7 +38,7 @@ private:
   bool isBesideOpen(double first) const;
   double leastPiece(double first) const;
 
-  const Curve& curve_;
+  const Way& way_;
   PathLooks& looks_;
   const bool to_the_end_;
   const std::size_t most_open_;  ///< open parts that are told apart

@@ -35,12 +35,18 @@ std::string openParts(const PathOffence& offence)
   return parts;
 }
 
+std::string speedOf(const PathOffence& offence)
+{
+  const Interval& speed = offence.tool_speed;
+  return speed.lower() == speed.upper() ? exact(speed.lower()) : nearly(speed.mid());
+}
+
 class Sentence
 {
 public:
-  Sentence(const PathResult& result, double tool_speed, const Machine& machine,
-           const std::function<std::string(std::size_t)>& place, const std::string& stopped_by)
-    : result_(result), tool_speed_(tool_speed), machine_(machine), place_(place), stopped_by_(stopped_by)
+  Sentence(const PathResult& result, const Machine& machine, const std::function<std::string(std::size_t)>& place,
+           const std::string& stopped_by)
+    : result_(result), machine_(machine), place_(place), stopped_by_(stopped_by)
   {}
 
   std::string operator()() const
@@ -72,7 +78,7 @@ private:
     const bool is_long = leaves && last.last - last.first > SHORT;
     const bool is_fast = isRate(offence.limit.kind);
     const std::string what =
-        is_fast ? "Proved: at " + exact(tool_speed_) + " m/s the path " + (leaves ? "becomes" : "is") +
+        is_fast ? "Proved: at " + speedOf(offence) + " m/s the path " + (leaves ? "becomes" : "is") +
                       " too fast for the joints "
                 : std::string("Proved: the path ") + (leaves ? "leaves the set " : "is outside the set ");
     return what + where(offence, text(leaves ? last : PathPart{ last.last, last.last })) +
@@ -90,16 +96,15 @@ private:
   }
 
   const PathResult& result_;
-  const double tool_speed_;
   const Machine& machine_;
   const std::function<std::string(std::size_t)>& place_;
   const std::string& stopped_by_;
 };
 }  // namespace
 
-std::string describe(const PathResult& result, double tool_speed, const Machine& machine,
+std::string describe(const PathResult& result, const Machine& machine,
                      const std::function<std::string(std::size_t)>& place, const std::string& stopped_by)
 {
-  return Sentence(result, tool_speed, machine, place, stopped_by)();
+  return Sentence(result, machine, place, stopped_by)();
 }
 }  // namespace pkm_workspace

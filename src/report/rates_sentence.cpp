@@ -55,7 +55,8 @@ std::string describeRates(const PathResult& result, const PathQuery& query, cons
     text += (text.empty() || sentence.empty() ? "" : " ") + sentence;
   };
   if (query.holds_limits && query.limits.any() && result.verdict == Containment::INSIDE)
-    say("At " + exact(query.tool_speed) + " m/s the joints are proved to keep within their limits.");
+    say((query.steps_have_speeds ? "At its feeds" : "At " + exact(query.tool_speed) + " m/s") +
+        " the joints are proved to keep within their limits.");
   if (result.rates && query.limits.any())
     say(feedSentence(result, machine, place));
   if (query.holds_limits || query.wants_rates)

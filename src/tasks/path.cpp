@@ -22,7 +22,8 @@ void setRates(const PathRatesTask& rates, const Machine& machine, const Criterio
   rates.validate(problems);
   throwProblems(problems);
   query.tool_speed = rates.tool_speed.value_or(query.tool_speed);
-  query.holds_limits = rates.tool_speed.has_value();
+  query.holds_limits = rates.isHeld();
+  query.steps_have_speeds = rates.steps_have_speeds;
   query.wants_rates = rates.isAsked();
   for (std::size_t i = 0; i < 3 && !rates.joint_speeds_off; ++i)
     query.limits.speed[i] = criterion.joint_speed_max[i] > 0.0 ? criterion.joint_speed_max[i] : machine.legs()[i].speed;
@@ -37,9 +38,11 @@ void PathRatesTask::validate(Problems& problems) const
   if (count != 0 && count != 1 && count != 3)
     complain(problems, "joint_acceleration_max has ", count,
              " numbers: give one for all joints, or one for each [m/s^2]");
-  if (count != 0 && !isAsked())
+  if (steps_have_speeds && tool_speed)
+    problems.push_back("tool_speed is without effect: each segment has its own");
+  if (count != 0 && !isAsked() && !isHeld())
     problems.push_back("joint_acceleration_max is without effect: give tool_speed too, or ask for largest_feed");
-  if (joint_speeds_off && !isAsked())
+  if (joint_speeds_off && !isAsked() && !isHeld())
     problems.push_back("joint_speeds_off is without effect: joint speeds are held at a tool_speed only");
 }
 
@@ -52,17 +55,17 @@ PathReport checkPath(const PointEvaluator& evaluator, const PathTask& task)
   setRates(task.rates, machine, criterion, report.query);
   PathChecker checker(evaluator, report.query, task.tell);
   PathReach reach(machine);
-  task.for_each([&](const PathSegment& segment) {
-    checker.add(segment);
+  task.for_each([&](const PathStep& step) {
+    checker.add(step);
     if (!criterion.joint_limits)
-      reach.add(segment);
+      reach.add(step.segment);
   });
   report.result = checker.finish();
   if (report.result.motion && !criterion.joint_limits)
     report.reaches = reach.over(*report.result.motion);
   const bool is_told = report.result.end == PathResult::End::STOPPED && task.stopped_by;
-  const std::string proof = describe(report.result, report.query.tool_speed, machine, task.place,
-                                     is_told ? task.stopped_by() : "a request to stop");
+  const std::string proof =
+      describe(report.result, machine, task.place, is_told ? task.stopped_by() : "a request to stop");
   const std::string rates =
       describeRates(report.result, report.query, machine, task.place, task.rates.joint_speeds_off);
   report.message = withRemark(withRemark(proof, rates), remarkOnLimits(machine, criterion, report.reaches));

@@ -9,7 +9,7 @@ from claims import on, segments
 from reasons import N, Wrong, hold, number_or_near
 
 PLACE = r"(?:line '(?P<{0}place>.*?)' \(line\)|(?P<{0}segment>segment \d+))"
-RATES = (r"(?: At (?P<kept>\S+) m/s the joints are proved to keep within their limits\.)?"
+RATES = (r"(?: At (?:its feeds|(?P<kept>\S+) m/s) the joints are proved to keep within their limits\.)?"
          rf"(?: The largest feed is proved to be (?P<feed>{claims.BRACKET}) m/s; at that '(?P<slowest>\w+)' reaches "
          r"its limit of (?P<limit>speed|acceleration) on " + PLACE.format("slowest_") + r"\.|"
          rf" The largest feed is proved to be at most (?P<at_most>{N}) m/s\.| Nothing is known of the largest feed\.)?"

@@ -22,7 +22,7 @@ COVERED = {
     "Proved: the point is not ": {COMMAND: ("no good point", ), NODE: ("no good point", )},
     "Proved: the path ": {COMMAND: ("path leaves", ), NODE: ("path leaves", )},
     "Proved: at ": {COMMAND: ("path too fast", ), NODE: ("path too fast", )},
-    " m/s the joints are proved to keep within their limits.": {COMMAND: ("path inside", ), NODE: ("path inside", )},
+    " the joints are proved to keep within their limits.": {COMMAND: ("path inside", ), NODE: ("path inside", )},
     "The largest feed is proved to be ": {COMMAND: ("path inside", "path too fast"),
                                           NODE: ("path inside", "path too fast")},
     "Neither is proved: ": {COMMAND: ("nothing", ), NODE: ("nothing", )},

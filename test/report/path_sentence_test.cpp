@@ -17,10 +17,9 @@ namespace
 const Eigen::Vector3d START(-0.079970593403865281, -0.22351999604761633, 0.18342168780574239);
 const Eigen::Vector3d END(0.8108995385756147, -0.37194738107784847, -0.8025565924264686);
 
-std::string sentenceOf(const PathResult& result, double tool_speed = 1.0)
+std::string sentenceOf(const PathResult& result)
 {
-  return describe(result, tool_speed, orthoglide(),
-                  [](std::size_t segment) { return "segment " + std::to_string(segment); });
+  return describe(result, orthoglide(), [](std::size_t segment) { return "segment " + std::to_string(segment); });
 }
 
 std::string sentenceOf(const std::vector<PathSegment>& segments, const Criterion& criterion = {},
@@ -70,16 +69,16 @@ TEST(PathSentence, tellsWhichJointIsTooFast)
   query.limits.speed = { 0.2, 0.2, 0.2 };
   const PathSegment along = PathSegment::line({ 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 });
   expectSays(
-      sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+      sentenceOf(checkPath(orthoglide(), {}, { along }, query)),
       "Proved: at 0\\.3 m/s the path is too fast for the joints on segment 0, near t = 0 of its way: the speed of "
       "joint 'rail_x' is 0\\.3 m/s, above its limit of 0\\.2 m/s\\.");
   query.limits.speed = { INF, 0.02, INF };
   expectSays(
-      sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+      sentenceOf(checkPath(orthoglide(), {}, { along }, query)),
       "Proved: at 0\\.3 m/s the path becomes too fast for the joints on segment 0, near t = 0\\.66\\d* of its way: "
       "the speed of joint 'rail_y' (is above|reaches) its limit of 0\\.02 m/s, .*\\.");
   query.limits.acceleration = { INF, INF, 0.05 };
-  expectSays(sentenceOf(checkPath(orthoglide(), {}, { along }, query), query.tool_speed),
+  expectSays(sentenceOf(checkPath(orthoglide(), {}, { along }, query)),
              "Proved: at 0\\.3 m/s the path is too fast for the joints on segment 0, near t = 0 of its way: the "
              "acceleration of joint 'rail_z' is 0\\.09 m/s\\^2, above its limit of 0\\.05 m/s\\^2\\.");
 }

@@ -38,6 +38,10 @@ public:
   /// the same. The arc ends beside @p end by no more than ARC_MISMATCH, or it is refused.
   static PathSegment arcTo(const Eigen::Vector3d& start, const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
                            const Eigen::Vector3d& end);
+  /// The same, climbing along the axis to @p end on the way; the whole circle where start and end differ along the axis
+  /// only. @param turns from 1 on: 2 is a whole turn more
+  static PathSegment helixTo(const Eigen::Vector3d& start, const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
+                             const Eigen::Vector3d& end, int turns = 1);
 
   const Curve& curve() const { return curve_; }
   /// Nearly the point at t [m]; t from 0 to 1.
@@ -45,6 +49,8 @@ public:
 
 private:
   explicit PathSegment(const Curve& curve) : curve_(curve) {}
+  /// @param radius of the circle, nearly [m]
+  static PathSegment endingAt(const Eigen::Vector3d& end, const Curve& curve, double radius);
 
   Curve curve_;
 };

@@ -23,14 +23,27 @@ constexpr double FASTEST_TOOL = 1e9;
 struct PathQuery
 {
   double tool_speed = 1.0;                  ///< constant along the path [m/s], from SLOWEST_TOOL to FASTEST_TOOL
+  bool steps_have_speeds = false;           ///< which count in place of that one
   JointRateLimits limits = {};              ///< what the joints' speeds and accelerations are held against, ...
   bool holds_limits = false;                ///< ... by the verdict: a point where one is above its limit is bad
   bool wants_rates = false;                 ///< whether the answer has PathRates
+  std::size_t most_offences = 0;            ///< segments whose checks say what binds there
   std::int64_t max_looks = 10000000;        ///< pieces looked at before what is left stays undecided, > 0, and ...
   std::int64_t looks_per_piece = 16;        ///< ... as many more for each piece that the path has at first, >= 0
   const std::atomic<bool>* stop = nullptr;  ///< when set, what is left stays undecided
 
   void validate(Problems& problems) const;
+};
+
+/// A segment, and what may be told of it that the query tells of the whole path.
+struct PathStep
+{
+  PathStep(const PathSegment& given) : segment(given) {}  // NOLINT: a segment is a step
+
+  const PathSegment& segment;
+  /// Encloses the speed of the tool there [m/s], in place of the query's; 0 where the joints' rates count for nothing.
+  std::optional<Interval> tool_speed = {};
+  std::optional<std::size_t> id = {};  ///< what it is called in the answer, in place of its index
 };
 
 /// What the machine does along a path or a segment: every interval holds the values at all of its points.
@@ -39,16 +52,6 @@ struct PathMotion
   std::array<Interval, 3> psi;        ///< velocity transmission factors, ascending
   std::array<Interval, 3> joint;      ///< joint values [m]: the travel is their width
   std::array<double, 3> joint_speed;  ///< upper bounds of |rhodot_i| at the tool speed asked for [m/s]
-};
-
-/// The answer about one segment. Its parameter t runs from 0 to 1.
-struct SegmentCheck
-{
-  Containment verdict = Containment::UNDECIDED;
-  double good_until = 0.0;           ///< all points before this t are proved good; 1 for INSIDE
-  std::optional<double> bad_at;      ///< with OUTSIDE: the point at this t is proved bad
-  std::optional<PathMotion> motion;  ///< with INSIDE
-  std::optional<PathRates> rates;    ///< where they are asked for, whatever the verdict
 };
 
 /// A part of a segment: first <= t <= last.
@@ -61,15 +64,27 @@ struct PathPart
 /// Where a path is not, or not surely, good for the first time.
 struct PathOffence
 {
-  std::size_t segment = 0;       ///< index
+  std::size_t segment = 0;       ///< index, or the id given
   double good_until = 0.0;       ///< the first offence is at this t of the segment or later, ...
   std::optional<double> bad_at;  ///< ... and at this t or before; nothing where no bad point is proved on the segment
   /// Where exactly it can be: ascending and apart, one at least. Every other point of the segment is proved good, up to
   /// bad_at or its end. The first part begins at good_until; the last one ends at bad_at, where there is that: there
   /// the path leaves the set, if it has not in one of the others, in which it comes within rounding of the border.
   std::vector<PathPart> open = {};
-  Eigen::Vector3d point;  ///< nearly the point at bad_at, or at good_until [m]
-  Limit limit;            ///< which condition binds there, and which leg's
+  Eigen::Vector3d point;                ///< nearly the point at bad_at, or at good_until [m]
+  Interval tool_speed = Interval(1.0);  ///< of the tool on the segment [m/s]
+  Limit limit;                          ///< which condition binds there, and which leg's
+};
+
+/// The answer about one segment. Its parameter t runs from 0 to 1.
+struct SegmentCheck
+{
+  Containment verdict = Containment::UNDECIDED;
+  double good_until = 0.0;                  ///< all points before this t are proved good; 1 for INSIDE
+  std::optional<double> bad_at;             ///< with OUTSIDE: the point at this t is proved bad
+  std::optional<PathMotion> motion;         ///< with INSIDE
+  std::optional<PathRates> rates;           ///< where they are asked for, whatever the verdict
+  std::optional<PathOffence> offence = {};  ///< unless INSIDE, for as many segments as the query says
 };
 
 /// The answer about a path.
@@ -89,8 +104,8 @@ struct PathResult
   std::optional<PathOffence> proved = {};     ///< of the first segment that is OUTSIDE, which may be a later one
   std::optional<PathMotion> motion = {};      ///< over the whole path, with INSIDE
   std::optional<PathRates> rates = {};        ///< over the whole path, where they are asked for
-  std::size_t slowest = 0;                    ///< of rates: the segment whose feed has the least lower end
-  std::int64_t looks = 0;                     ///< pieces looked at
+  std::size_t slowest = 0;  ///< of rates: the segment whose feed has the least lower end, as in PathOffence
+  std::int64_t looks = 0;   ///< pieces looked at
   End end = End::COMPLETE;
 };
 
@@ -114,7 +129,7 @@ public:
   PathChecker(const PointEvaluator& evaluator, const PathQuery& query, const Tell& tell);
   ~PathChecker();
 
-  void add(const PathSegment& segment);
+  void add(const PathStep& step);
   /// The answer about all segments together, but for the list of them, which is left empty. For one call.
   PathResult finish();
 

@@ -10,9 +10,9 @@ namespace pkm_workspace
 {
 /// Says what is proved about a path, where it first offends, and which limit binds there. "The set" is what the
 /// criterion asks for.
-/// @param tool_speed that was asked for [m/s] @param place names a segment by its index: "segment 3"
+/// @param place names a segment by its index: "segment 3"
 /// @param stopped_by what has set the stop flag, if it was set
-std::string describe(const PathResult& result, double tool_speed, const Machine& machine,
+std::string describe(const PathResult& result, const Machine& machine,
                      const std::function<std::string(std::size_t segment)>& place,
                      const std::string& stopped_by = "a request to stop");
 }  // namespace pkm_workspace

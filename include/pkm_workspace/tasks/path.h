@@ -20,8 +20,10 @@ struct PathRatesTask
   bool largest_feed = false;  ///< the largest feed is asked for, which a tool speed asks for too
   /// The largest speeds of the joints are left aside: those of the criterion, and the machine's where it has none.
   bool joint_speeds_off = false;
+  bool steps_have_speeds = false;  ///< the segments bring the tool's speeds themselves, at which limits are held
   std::vector<double> joint_acceleration_max = {};  ///< one number for all joints, one for each, or none [m/s^2]
 
+  bool isHeld() const { return steps_have_speeds || tool_speed.has_value(); }
   bool isAsked() const { return largest_feed || tool_speed.has_value(); }
   /// Appends one sentence for each value that is out of range or without effect.
   void validate(Problems& problems) const;
@@ -33,9 +35,9 @@ struct PathTask
   PathQuery query;  ///< but for speed and limits, which follow from the rates
   PathRatesTask rates;
   /// Hands out the segments, in their order.
-  std::function<void(const std::function<void(const PathSegment&)>& use)> for_each;
+  std::function<void(const std::function<void(const PathStep&)>& use)> for_each;
   PathChecker::Tell tell;                                 ///< told the answer about each segment, in their order
-  std::function<std::string(std::size_t segment)> place;  ///< names a segment by its index: "segment 3"
+  std::function<std::string(std::size_t segment)> place;  ///< names a segment by its index, or id: "segment 3"
   std::function<std::string()> stopped_by;  ///< what has set the stop flag: "a request to stop", which it is without it
 };
 
