@@ -30,8 +30,9 @@ void requireEffect(Options& options, const Criterion& criterion)
 {
   for (const JointDatum& datum : JOINT_DATA)
     options.check({ optionOf(datum.name) }, [&options, &criterion, &datum](Problems& problems) {
-      const bool is_rate =
-          datum.bound == &Criterion::tool_speed_min && (options.given("tool-speed") || options.given("largest-feed"));
+      const bool has_feed = options.has("gcode") && options.given("gcode");
+      const bool is_rate = datum.bound == &Criterion::tool_speed_min &&
+                           (options.given("tool-speed") || options.given("largest-feed") || has_feed);
       if (options.given(optionOf(datum.name)) && criterion.*datum.bound == 0.0 && !is_rate)
         problems.push_back("is without effect: it counts for --" + optionOf(boundOf(datum).name) +
                            (options.has("tool-speed") && datum.bound == &Criterion::tool_speed_min

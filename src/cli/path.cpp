@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "common_options.h"
+#include "job.h"
 #include "output.h"
 #include "path_answer.h"
 #include "path_text.h"
@@ -36,7 +37,8 @@ public:
            "each "
            "segment. Where segments meet at an angle, nothing is said of the turn. All of this is proved, and there is "
            "no tolerance. A path is written in lines: " +
-           std::string(PATH_GRAMMAR) + ".";
+           std::string(PATH_GRAMMAR) +
+           ". Or it is a job in G-code, whose feeds are the tool's speeds: then every line that offends is listed.";
   }
 
   Words examples() const override
@@ -56,13 +58,15 @@ public:
       path_.read(words[0], problems);
       throwProblems(problems);
     });
+    job_.declare(options);
     declareRates(options);
     options.count("max-looks", task_.query.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
     declareCriterion(options, criterion_, machine_);
-    options.check({ "file", "segment" }, [this](Problems& problems) { finishPath(problems); });
+    options.check({ "file", "segment", "gcode" },
+                  [this, &options](Problems& problems) { finishPath(options.given("segment"), problems); });
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -75,10 +79,15 @@ public:
     const PathResult& result = report.result;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
-    json["tool_speed"] = report.query.tool_speed;
     json["looks"] = result.looks;
     json["end"] = endName(result.end);
-    json["first"] = result.first ? firstOf(result) : Json();
+    if (job_.isGiven())
+      job_.addTo(machine, json);
+    else
+    {
+      json["tool_speed"] = report.query.tool_speed;
+      json["first"] = result.first ? firstOf(result) : Json();
+    }
     json["motion"] = result.motion ? motionJson(*result.motion) : Json();
     if (result.motion)
       addLimits(machine, criterion_, report.reaches, json);
@@ -86,6 +95,8 @@ public:
       json["rates"] = ratesOf(report);
     json["message"] = report.message;
     Answer answer{ json, print(report) };
+    if (job_.isGiven())
+      return answer;
     answer.long_members["segments"] = [this](std::ostream& out) {
       writeList(
           checks_.size(), [this](std::size_t i) { return segmentOf(i); }, 2, out);
@@ -107,12 +118,29 @@ private:
                    rates.joint_acceleration_max = readNumbers(words, Quantity{ "m/s^2", 0.0, false });
                  });
     options.check({ "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max" },
-                  [&rates](Problems& problems) { rates.validate(problems); });
+                  [this, &rates](Problems& problems) {
+                    rates.steps_have_speeds = job_.isGiven();
+                    rates.validate(problems);
+                  });
   }
 
   PathReport check()
   {
+    Progress progress(progress_);
     task_.query.stop = stopOnSignalOrAfter(time_limit_);
+    task_.stopped_by = [this] { return stoppedBy(time_limit_); };
+    if (job_.isGiven())
+      job_.describeTo(task_, progress);
+    else
+      describePath();
+    PathReport report = checkPath(PointEvaluator(machine_.machine(), criterion_), task_);
+    if (job_.isGiven())
+      report.message = withRemark(report.message, job_.remark());
+    return report;
+  }
+
+  void describePath()
+  {
     task_.for_each = [this](const auto& use) { path_.handOver(use); };
     task_.tell = [this](const SegmentCheck& check) {
       checks_.emplace_back(check);
@@ -120,23 +148,18 @@ private:
         rates_.push_back(*check.rates);
     };
     task_.place = [this](std::size_t segment) { return path_.place(segment); };
-    task_.stopped_by = [this] { return stoppedBy(time_limit_); };
-    const PointEvaluator evaluator(machine_.machine(), criterion_);
-    const Progress progress(progress_);
-    return checkPath(evaluator, task_);
   }
 
-  void finishPath(Problems& problems)
+  void finishPath(bool has_lines, Problems& problems)
   {
-    const bool has_lines = path_.size() > 0;
-    if (!file_.empty() && has_lines)
+    if (int(!file_.empty()) + int(has_lines) + int(job_.isGiven()) > 1)
       problems.push_back("the path is given twice");
     else if (!file_.empty())
       path_.readFile(file_, problems);
-    if (problems.empty() && path_.size() == 0)
-      problems.push_back(
-          (file_.empty() ? "" : file_ + " has no segment; ") +
-          std::string("a path is missing: --file FILE, or --segment LINE for each line, with one segment at least"));
+    if (problems.empty() && path_.size() == 0 && !job_.isGiven())
+      problems.push_back((file_.empty() ? "" : file_ + " has no segment; ") +
+                         std::string("a path is missing: --file FILE, --gcode FILE, or --segment LINE for each line, "
+                                     "with one segment at least"));
   }
 
   Json segmentOf(std::size_t segment) const
@@ -174,20 +197,26 @@ private:
   {
     const PathResult& result = report.result;
     std::vector<Words> rows = { { "verdict", name(result.verdict) } };
+    if (job_.isGiven())
+      job_.addRows(rows);
     if (result.motion)
       addMotion(*result.motion, machine_.machine(), rows);
     if (result.rates)
       addRates(*result.rates, machine_.machine(), rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
-    return "Path of machine '" + machine_.machine().name() + "', " + std::to_string(checks_.size()) +
-           (checks_.size() == 1 ? " segment" : " segments") + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
-           wrapped(report.message) + wrapped(definition(machine_.machine(), criterion_));
+    const std::string size =
+        job_.isGiven() ? "a job" : std::to_string(checks_.size()) + (checks_.size() == 1 ? " segment" : " segments");
+    const std::string offences = job_.isGiven() ? job_.offences(machine_.machine()) : "";
+    return "Path of machine '" + machine_.machine().name() + "', " + size + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           offences + (offences.empty() ? "" : "\n") + wrapped(report.message) +
+           wrapped(definition(machine_.machine(), criterion_));
   }
 
   MachineOptions machine_;
   Criterion criterion_;
   PathTask task_;
   PathText path_;
+  Job job_;
   std::string file_;
   double time_limit_;
   bool progress_ = false;

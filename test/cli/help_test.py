@@ -30,7 +30,8 @@ OPTIONS = {
     | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "turned", "multi-precision"},
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME
-    | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks"},
+    | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks",
+       "gcode", "origin", "tool-at", "work-offset", "tool-length", "rapid-feed", "most-listed"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "save", "resume", "list-boxes",
                                                      "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
