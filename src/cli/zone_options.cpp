@@ -17,15 +17,18 @@ void declareZones(Options& options, Criterion& criterion)
   };
   declare("keep-in", Zone::Use::KEEP_IN, "a zone that the tool keeps within");
   declare("keep-out", Zone::Use::KEEP_OUT, "a zone that the tool keeps out of");
-  options.repeated("zones", "FILE", "zones of both sorts, and the tool's radius, in YAML (docs/conditions.md)",
-                   [&criterion, &options](const Words& words) {
-                     const ZoneFile file = readZoneFile(words[0]);
-                     criterion.zones.insert(criterion.zones.end(), file.zones.begin(), file.zones.end());
-                     if (file.tool_radius != 0.0 && options.given("tool-radius"))
-                       throw std::invalid_argument("the file has a tool_radius: give --tool-radius after it, or not");
-                     if (file.tool_radius != 0.0)
-                       criterion.tool_radius = file.tool_radius;
-                   });
+  options.repeated(
+      "zones", "FILE", "zones of both sorts, and the tool's radius, in YAML (docs/conditions.md)",
+      [&criterion, &options](const Words& words) {
+        const ZoneFile file = readZoneFile(words[0]);
+        criterion.zones.insert(criterion.zones.end(), file.zones.begin(), file.zones.end());
+        if (file.tool_radius != 0.0 && options.given("tool-radius"))
+          throw std::invalid_argument("the file has a tool_radius: give --tool-radius after it, or not");
+        if (file.tool_radius != 0.0 && criterion.tool_radius != 0.0 && file.tool_radius != criterion.tool_radius)
+          throw std::invalid_argument("its tool_radius is another than that of the file before it");
+        if (file.tool_radius != 0.0)
+          criterion.tool_radius = file.tool_radius;
+      });
   options.number("tool-radius", criterion.tool_radius, LENGTH_NOT_NEGATIVE,
                  "by which all surfaces of zones are moved away from what the tool keeps to");
   options.check({ "tool-radius" }, [&criterion, &options](Problems& problems) {
@@ -45,8 +48,8 @@ void MachineOptions::addCollisions(Criterion& criterion, Problems& problems) con
 {
   if (!keeps_out_collisions_)
     return;
-  refuseOpenCollisions(urdf_->open_collisions, "--keep-out-collisions", problems);
-  criterion.zones.insert(criterion.zones.end(), urdf_->still_collisions.begin(), urdf_->still_collisions.end());
+  pkm_workspace::addCollisions(urdf_->still_collisions, urdf_->open_collisions, "--keep-out-collisions",
+                               criterion.zones, problems);
   validateZones(criterion.zones, criterion.tool_radius, problems);
 }
 }  // namespace cli

@@ -103,7 +103,11 @@ std::vector<Difference> differences(const Premises& one, const Premises& other)
 std::string describe(const Premises& premises)
 {
   constexpr std::size_t ENOUGH = 8;  // digits of a hash to tell machines apart
+  Criterion rest = premises.criterion;
+  rest.zones.clear();
+  rest.tool_radius = 0.0;
   return premises.machine + ", geometry " + premises.geometry_hash.substr(0, ENOUGH) + ", pkm_workspace " +
-         premises.version + '\n' + describe(premises.criterion);
+         premises.version + '\n' + describe(rest) +
+         zonesInShort(premises.criterion.zones, premises.criterion.tool_radius);
 }
 }  // namespace pkm_workspace

@@ -38,6 +38,11 @@ bool isTurned(const Pose& pose)
   return pose.orientation[0] != 0.0 || pose.orientation[1] != 0.0 || pose.orientation[2] != 0.0;
 }
 
+bool isElsewhere(const Pose& frame)
+{
+  return isTurned(frame) || !frame.translation.isZero(0.0);
+}
+
 std::string turnInWords(const Pose& pose)
 {
   const auto& q = pose.orientation;
@@ -139,7 +144,7 @@ std::string describe(const Zone& zone)
 {
   const std::string place = zone.kind == ZoneKind::HALF_SPACE ? " from " : " with center ";
   return named(zone) + place + inWords(zone.pose.translation) + " m" + measuresInWords(zone) + turnInWords(zone.pose) +
-         (zone.in_root ? " (root link's frame)" : "");
+         (isElsewhere(zone.frame) ? " (root link's frame)" : "");
 }
 
 void validateZones(const std::vector<Zone>& zones, double tool_radius, Problems& problems)
@@ -168,10 +173,29 @@ std::string zonesInWords(const std::vector<Zone>& zones, double tool_radius)
   return text + (tool_radius > 0.0 ? ", tool radius " + exact(tool_radius) + " m" : "");
 }
 
-void refuseOpenCollisions(const std::vector<std::string>& open, const std::string& switched_on, Problems& problems)
+std::string zonesInShort(const std::vector<Zone>& zones, double tool_radius)
+{
+  const auto out =
+      std::count_if(zones.begin(), zones.end(), [](const Zone& zone) { return zone.use == Zone::Use::KEEP_OUT; });
+  const auto in = static_cast<std::ptrdiff_t>(zones.size()) - out;
+  if (zones.empty())
+    return "";
+  const auto counted = [](const std::string& word, std::ptrdiff_t count) {
+    return count == 0 ? "" : word + std::to_string(count) + (count == 1 ? " zone" : " zones");
+  };
+  return ", tool " + counted("within ", in) + (in == 0 || out == 0 ? "" : " and ") + counted("out of ", out) +
+         (tool_radius > 0.0 ? ", tool radius " + exact(tool_radius) + " m" : "");
+}
+
+void addCollisions(const std::vector<Zone>& collisions, const std::vector<std::string>& open,
+                   const std::string& switched_on, std::vector<Zone>& zones, Problems& problems)
 {
   for (const std::string& phrase : open)
     complain(problems, switched_on, ": ", phrase);
+  if (collisions.empty() && open.empty())
+    complain(problems, switched_on,
+             " is without effect: no link of the URDF that stands still has a <collision>; give the zones themselves");
+  zones.insert(zones.end(), collisions.begin(), collisions.end());
 }
 
 std::vector<Zone> seenFrom(const Pose& root, std::vector<Zone> zones)

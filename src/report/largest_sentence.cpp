@@ -42,10 +42,10 @@ int decimalsOf(const LargestRegion& region, double accuracy)
 std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query)
 {
   const std::string good = quality(query.criterion);
-  const std::string base = query.base_z ? ", standing on z = " + exact(*query.base_z) + " m," : "";
-  const std::string turned = query.turns() ? ", turned by this angle about the vertical," : "";
+  const std::string base = query.base_z ? ", standing on z = " + exact(*query.base_z) + " m" : "";
+  const std::string turned = query.turns() ? ", turned by this angle about the vertical" : "";
   const std::string found = "every point of the " + region.shape->name() + " with this center and size" + turned +
-                            base + " is " + good + "; ";
+                            base + (turned.empty() && base.empty() ? " is " : ", is ") + good + "; ";
   return "Proved: " + (region.size > 0.0 ? found : "") + "no " + tooLarge(region, decimalsOf(region, query.accuracy)) +
          ", " + query.place() + (query.turns() ? " and however it is turned about the vertical" : "") +
          ", has all its points " + good + "." +

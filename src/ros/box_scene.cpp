@@ -27,7 +27,8 @@ std::string bindingOf(const Box& box, const ContainmentResult& result, const Poi
             place = corner;
   const PointEvaluation there = evaluate(place);
   const Limit& limit = there.binding();
-  return name(limit.kind) + (limit.leg < 0 ? "" : " of " + evaluate.machine().leg(limit.leg).joint);
+  return name(limit.kind) + (limit.leg < 0 ? "" : " of " + evaluate.machine().leg(limit.leg).joint) +
+         (limit.zone.empty() ? "" : " of " + limit.zone);
 }
 
 /// Its size, the verdict, and what binds.

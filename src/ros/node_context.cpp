@@ -63,10 +63,9 @@ std::vector<std::string> framesOf(const ros::NodeHandle& private_node, const std
   return frames;
 }
 
-void addCollisions(const UrdfMachine& urdf, Criterion& criterion, Problems& problems)
+void keepOutOfCollisions(const UrdfMachine& urdf, Criterion& criterion, Problems& problems)
 {
-  refuseOpenCollisions(urdf.open_collisions, "keep_out_collisions = true", problems);
-  criterion.zones.insert(criterion.zones.end(), urdf.still_collisions.begin(), urdf.still_collisions.end());
+  addCollisions(urdf.still_collisions, urdf.open_collisions, "keep_out_collisions = true", criterion.zones, problems);
   validateZones(criterion.zones, criterion.tool_radius, problems);
 }
 }  // namespace
@@ -83,7 +82,7 @@ Loaded load(const ros::NodeHandle& private_node)
   loaded.query.criterion = withJointData(loaded.urdf.machine, loaded.query.criterion);
   Problems problems;
   if (parameters.keep_out_collisions)
-    addCollisions(loaded.urdf, loaded.query.criterion, problems);
+    keepOutOfCollisions(loaded.urdf, loaded.query.criterion, problems);
   requireEffect(loaded.query.criterion.tool_radius, loaded.query.criterion.zones, problems);
   requireProvable(loaded.urdf.machine, loaded.query.criterion, problems);
   throwProblems(problems);

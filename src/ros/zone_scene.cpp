@@ -14,7 +14,7 @@ using visualization_msgs::Marker;
 
 constexpr Color ZONE_OUT = { 0.85F, 0.10F, 0.10F, 0.35F };
 constexpr Color ZONE_IN = { 0.10F, 0.65F, 0.30F, 0.10F };
-constexpr double ENDLESS = 4.0;  // lengths
+constexpr double ENDLESS = 2.0;  // lengths
 
 Eigen::Isometry3d isometryOf(const Pose& pose)
 {

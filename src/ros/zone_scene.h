@@ -9,6 +9,6 @@
 namespace pkm_workspace
 {
 /// Adds a body for each zone, in namespace "zones": red to keep out of, green to keep within; without what the tool's
-/// radius adds. What has no end is drawn as long as 4 of @p length [m].
+/// radius adds. What has no end is drawn as long as 2 of @p length [m].
 void addZones(const std::vector<Zone>& zones, double length, Scene& scene);
 }  // namespace pkm_workspace

@@ -105,10 +105,12 @@ StillCollisions stillCollisions(const Model& model, const std::vector<std::strin
   {
     if (std::find(moved.begin(), moved.end(), name) != moved.end())
       continue;
+    std::size_t count = 0;
     for (const auto& collision : link->collision_array)
     {
       Zone zone;
-      zone.name = name;
+      ++count;
+      zone.name = name + (link->collision_array.size() > 1 ? " " + std::to_string(count) : "");
       zone.in_root = true;
       zone.pose = rounded(poseInRoot(model, *link) * poseOf(collision->origin));
       if (collision->geometry && measure(*collision->geometry, zone))

@@ -45,7 +45,7 @@ STUDY = (r"Proved: (?:the machine with \S+ = (?P<parameter>\S+) m has the \w+ of
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
     "largest": (rf"Proved: (?P<first>every point of the \w+{GIVEN} with this center and size"
-                rf"(?:, turned by this angle about the vertical,)?(?:, standing on z = {N} m,)? is {QUALITY}; )?"
+                rf"(?:(?:, turned by this angle about the vertical)?(?:, standing on z = {N} m)?,)? is {QUALITY}; )?"
                 + NO_REGION,
                 claims.largest),
     "status": (r"status +((?:proven|none) \((?:proved to the accuracy asked for|no region (?:as large as the accuracy|"

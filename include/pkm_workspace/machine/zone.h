@@ -67,8 +67,13 @@ void requireEffect(double tool_radius, const std::vector<Zone>& zones, Problems&
 /// All zones of the kinds of use that there are, in words: ", tool kept in ..., out of ..., with a radius of 0.01 m".
 std::string zonesInWords(const std::vector<Zone>& zones, double tool_radius);
 
-/// Appends a sentence for each phrase of what is no zone. @param switched_on what asks for it
-void refuseOpenCollisions(const std::vector<std::string>& open, const std::string& switched_on, Problems& problems);
+/// Adds zones that are the collision geometry of a machine's surroundings; appends a sentence for each phrase of what
+/// is no zone, or where there is nothing. @param switched_on what asks for it
+void addCollisions(const std::vector<Zone>& collisions, const std::vector<std::string>& open,
+                   const std::string& switched_on, std::vector<Zone>& zones, Problems& problems);
+
+/// How many there are, for pictures: ", tool within 1 zone and out of 3 zones, tool radius 0.01 m".
+std::string zonesInShort(const std::vector<Zone>& zones, double tool_radius);
 
 /// Zones that are given in the frame of the root link, seen from another frame. @param root the root link there
 std::vector<Zone> seenFrom(const Pose& root, std::vector<Zone> zones);
