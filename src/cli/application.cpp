@@ -103,7 +103,7 @@ void print(const Answer& answer, bool json, std::ostream& out)
 {
   if (json)
   {
-    std::string object = answer.json.dump(2);
+    std::string object = answer.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (!answer.long_members.empty())
       object.resize(object.size() - 2);  // "\n}"
     out << object;

@@ -79,6 +79,9 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   if (request.query.turned == RegionRequest::ON)
     throw std::invalid_argument(std::string("turned = ON: ") + NOT_TURNED);
   query.angles = 0.0;
+  if (context_.parameters.keep_out_collisions && request.query.criterion.own_zones != CriterionRequest::OFF)
+    throw std::invalid_argument(
+        "own_zones must be OFF = 2: those of ~keep_out_collisions stand around this machine only");
   leaveJointsToEach(request.query.criterion, context_.machine(), context_.parameters.query.criterion, query.criterion);
   std::vector<FramedMachine> machines = readMachines(request.urdfs);
   machines.insert(machines.begin(), context_.frames.root());

@@ -22,6 +22,8 @@ void CriterionService::set(const SetCriterion::Request& request, SetCriterion::R
   RegionQuery query = context_.query();
   Problems problems;
   query.criterion = fromMessage(request.criterion, context_.machine(), query.criterion, problems);
+  for (Zone& zone : query.criterion.zones)
+    zone.in_root = true;  // as all zones of the node
   query.accuracy = valueOr(request.accuracy, query.accuracy);
   query.validate(problems);
   validateAccuracy(context_.machine(), query, problems);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "still_collisions.h"
 
+#include <tinyxml2.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
+
+#include "element.h"
 
 namespace pkm_workspace
 {
@@ -10,7 +15,8 @@ namespace urdf_io
 {
 namespace
 {
-/// Each measure grows by this share of it and of its distance from the root: more than rounding the place can move it.
+/// Each measure grows by this share of it and of all ways from the root to it: more than rounding the place can move
+/// it.
 constexpr double GROWTH = 1e-12;
 
 Eigen::Isometry3d poseOf(const Origin& origin)
@@ -27,17 +33,47 @@ Eigen::Isometry3d poseOf(const urdf::Pose& pose)
   return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * turn.normalized();
 }
 
-/// All joints on the way are fixed.
-Eigen::Isometry3d poseInRoot(const Model& model, const urdf::Link& link)
+/// A place in the root frame, and the sum of the lengths of all steps that lead to it [m].
+struct Way
 {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d pose;
+  double length;
+};
+
+/// All joints on the way are fixed. @param pose in the link
+Way wayFromRoot(const Model& model, const urdf::Link& link, const Eigen::Isometry3d& pose)
+{
+  Way way{ pose, pose.translation().norm() };
   const urdf::Link* at = &link;
   while (at->parent_joint)
   {
-    pose = poseOf(model.originOf(*at->parent_joint)) * pose;
+    const Origin& origin = model.originOf(*at->parent_joint);
+    way = { poseOf(origin) * way.pose, way.length + origin.xyz.norm() };
     at = &model.link(at->parent_joint->parent_link_name);
   }
-  return pose;
+  return way;
+}
+
+/// urdfdom leaves out what follows in a link after what it cannot read, and all but the first geometry.
+/// @param read how many it has read
+bool isAllRead(const XMLElement& link, std::size_t read)
+{
+  const auto collisions = childrenOf(link, "collision");
+  return collisions.size() == read &&
+         std::all_of(collisions.begin(), collisions.end(), [](const XMLElement* collision) {
+           const auto geometries = childrenOf(*collision, "geometry");
+           const XMLElement* const shape = geometries.empty() ? nullptr : geometries[0]->FirstChildElement();
+           return geometries.size() == 1 && shape != nullptr && shape->NextSiblingElement() == nullptr;
+         });
+}
+
+/// The links of the text by their names; a name that stands twice is refused elsewhere.
+std::map<std::string, const XMLElement*> linksOf(const tinyxml2::XMLDocument& text)
+{
+  std::map<std::string, const XMLElement*> links;
+  for (const XMLElement* const link : childrenOf(*text.RootElement(), "link"))
+    links[nameOf(*link)] = link;
+  return links;
 }
 
 Pose rounded(const Eigen::Isometry3d& pose)
@@ -50,10 +86,9 @@ Pose rounded(const Eigen::Isometry3d& pose)
   return result;
 }
 
-/// @return whether the zone can have this geometry
-bool measure(const urdf::Geometry& geometry, Zone& zone)
+/// @param distance that counts for its growth [m] @return whether the zone can have this geometry
+bool measure(const urdf::Geometry& geometry, double distance, Zone& zone)
 {
-  const double distance = zone.pose.translation.norm();
   const auto grown = [distance](double length) { return length + GROWTH * (distance + 10.0 * length); };
   if (const auto* const box = dynamic_cast<const urdf::Box*>(&geometry))
   {
@@ -79,6 +114,7 @@ bool measure(const urdf::Geometry& geometry, Zone& zone)
   }
   return false;
 }
+
 /// Whether a joint between the link and the root is not fixed.
 bool isMoved(const urdf::Link& link)
 {
@@ -101,19 +137,26 @@ std::vector<std::string> movedLinks(const Model& model)
 StillCollisions stillCollisions(const Model& model, const std::vector<std::string>& moved)
 {
   StillCollisions found;
-  for (const auto& [name, link] : model.tree->links_)
+  tinyxml2::XMLDocument text;
+  text.Parse(model.document.elements.c_str());
+  for (const auto& [name, element] : linksOf(text))
   {
     if (std::find(moved.begin(), moved.end(), name) != moved.end())
       continue;
-    std::size_t count = 0;
-    for (const auto& collision : link->collision_array)
+    const urdf::Link& link = model.link(name);
+    if (!isAllRead(*element, link.collision_array.size()))
+      found.open.push_back("link '" + name +
+                           "': its <collision>s could not all be read; each needs one <geometry> with " +
+                           "one shape, and the link no other element that is wrong");
+    for (std::size_t k = 0; k < link.collision_array.size(); ++k)
     {
+      const urdf::Collision& collision = *link.collision_array[k];
+      const Way way = wayFromRoot(model, link, poseOf(collision.origin));
       Zone zone;
-      ++count;
-      zone.name = name + (link->collision_array.size() > 1 ? " " + std::to_string(count) : "");
+      zone.name = name + (link.collision_array.size() > 1 ? " " + std::to_string(k + 1) : "");
       zone.in_root = true;
-      zone.pose = rounded(poseInRoot(model, *link) * poseOf(collision->origin));
-      if (collision->geometry && measure(*collision->geometry, zone))
+      zone.pose = rounded(way.pose);
+      if (collision.geometry && measure(*collision.geometry, way.length, zone))
         found.zones.push_back(zone);
       else
         found.open.push_back("link '" + name +

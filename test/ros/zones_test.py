@@ -109,6 +109,20 @@ class ZonesOfTheNode(unittest.TestCase):
             machine.set_criterion(own_zones=False)
             self.assertGreater(machine.largest_region(accuracy=1e-4).size, 0.6)
 
+    def test_that_are_set_stay_in_the_root(self):
+        with NodeProcess(urdf("orthoglide")):
+            machine = Client(NAME, PATIENCE)
+            table = TransformStamped(child_frame_id="shifted")
+            table.header.frame_id = "base_link"
+            table.transform.translation.x, table.transform.rotation.w = 0.3, 1.0
+            broadcaster = tf2_ros.StaticTransformBroadcaster()
+            broadcaster.sendTransform(table)
+            machine.set_criterion(zones=[PILLAR])
+            edges = (0.02, 0.02, 0.02)
+            self.assertEqual(machine.check_box((0.1, 0, 0.1), edges).verdict, Client.OUTSIDE)
+            self.assertEqual(machine.check_box((-0.2, 0, 0.1), edges, frame="shifted").verdict, Client.OUTSIDE)
+            self.assertEqual(machine.check_box((0.1, 0, 0.1), edges, frame="shifted").verdict, Client.INSIDE)
+
     def test_are_the_collision_geometry_of_links_that_stand_still(self):
         with NodeProcess(with_collision('<box size="0.1 0.1 0.1"/>'), {"keep_out_collisions": True}):
             there = Client(NAME, PATIENCE).evaluate((0.1, 0, 0.1))

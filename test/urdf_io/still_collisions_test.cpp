@@ -116,6 +116,49 @@ TEST(StillCollisions, holdTheirBodiesWhereTheJointsPutThem)
     }
 }
 
+/// What urdfdom leaves out is not left out in silence.
+TEST(StillCollisions, areReadAllOrNamed)
+{
+  const Place here{ Vector3d::Zero(), Vector3d::Zero() };
+  const std::string box = collision(here, "<box size=\"0.1 0.1 0.1\"/>");
+  for (const std::string& wrong :
+       { collision(here, "<capsule radius=\"0.1\" length=\"1\"/>") + box, collision(here, "") + box,
+         collision(here, "<sphere radius=\"nan\"/>"), collision(here, "<sphere radius=\"0,05\"/>") + box,
+         "<visual><geometry><blob/></geometry></visual>" + box,
+         collision(here, "<box size=\"0.1 0.1 0.1\"/><sphere radius=\"0.1\"/>"),
+         "<collision><geometry><sphere radius=\"0.1\"/></geometry><geometry><sphere "
+         "radius=\"0.2\"/></geometry></collision>" })
+  {
+    SCOPED_TRACE(wrong);
+    Problems problems;
+    try
+    {
+      const UrdfMachine urdf =
+          orthoglideWith("<link name=\"tank\">" + wrong + "</link>" + fixedTo("base_link", "tank", here));
+      std::vector<Zone> zones;
+      addCollisions(urdf.still_collisions, urdf.open_collisions, "asked", zones, problems);
+      validateZones(zones, 0.0, problems);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back(reason.what());
+    }
+    EXPECT_FALSE(problems.empty());
+  }
+}
+
+/// The way there and back again rounds more than the place is away.
+TEST(StillCollisions, growByTheWayToThem)
+{
+  const Place out{ { 1e6, 0.0, 0.0 }, { 0.0, 0.0, 0.3 } };
+  const Vector3d back = -(Eigen::AngleAxisd(-0.3, Vector3d::UnitZ()) * out.xyz);
+  const UrdfMachine urdf = orthoglideWith(
+      "<link name=\"far\"/><link name=\"near\">" + collision({ back, Vector3d::Zero() }, "<sphere radius=\"0.1\"/>") +
+      "</link>" + fixedTo("base_link", "far", out) + fixedTo("far", "near", { Vector3d::Zero(), Vector3d::Zero() }));
+  ASSERT_EQ(urdf.still_collisions.size(), 1U);
+  EXPECT_GT(urdf.still_collisions[0].radius - 0.1, 1.9e-6);
+}
+
 TEST(StillCollisions, areOfNoLinkThatMovesAndNoMesh)
 {
   const Place here{ Vector3d::Zero(), Vector3d::Zero() };
