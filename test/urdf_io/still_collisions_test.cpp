@@ -121,13 +121,16 @@ TEST(StillCollisions, areReadAllOrNamed)
 {
   const Place here{ Vector3d::Zero(), Vector3d::Zero() };
   const std::string box = collision(here, "<box size=\"0.1 0.1 0.1\"/>");
-  for (const std::string& wrong :
-       { collision(here, "<capsule radius=\"0.1\" length=\"1\"/>") + box, collision(here, "") + box,
-         collision(here, "<sphere radius=\"nan\"/>"), collision(here, "<sphere radius=\"0,05\"/>") + box,
-         "<visual><geometry><blob/></geometry></visual>" + box,
-         collision(here, "<box size=\"0.1 0.1 0.1\"/><sphere radius=\"0.1\"/>"),
-         "<collision><geometry><sphere radius=\"0.1\"/></geometry><geometry><sphere "
-         "radius=\"0.2\"/></geometry></collision>" })
+  const std::vector<std::string> all = {
+    collision(here, "<capsule radius=\"0.1\" length=\"1\"/>") + box,
+    collision(here, "") + box,
+    collision(here, "<sphere radius=\"nan\"/>"),
+    collision(here, "<sphere radius=\"0,05\"/>") + box,
+    "<visual><geometry><blob/></geometry></visual>" + box,
+    collision(here, "<box size=\"0.1 0.1 0.1\"/><sphere radius=\"0.1\"/>"),
+    collision(here, "<sphere radius=\"0.1\"/></geometry><geometry><sphere radius=\"0.2\"/>"),
+  };
+  for (const std::string& wrong : all)
   {
     SCOPED_TRACE(wrong);
     Problems problems;
