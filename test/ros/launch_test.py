@@ -55,7 +55,8 @@ class LaunchTest(unittest.TestCase):
 
     def test_arguments_are_parameters(self):
         urdf = f"urdf:={DATA / 'equal_homes.urdf'}"
-        self.assertEqual(parameters(urdf), {"/robot_description": (DATA / "equal_homes.urdf").read_text()})
+        self.assertEqual(parameters(urdf), {"/robot_description": (DATA / "equal_homes.urdf").read_text(),
+                                            f"{NODE}/shape": "cube", f"{NODE}/joint_limits": True})
         given = parameters(urdf, "psi_min:=0.3", "psi_max:=3", "tool:=spindle", "shape:=box", "proportions:=[2, 1, 1]",
                            "search_box:=[0, 1, 0, 1, 0, 1]", "tip:=[0, 0, -0.1]", "limits:=false")
         self.assertEqual({name.split("/")[-1]: value for name, value in given.items() if name.startswith(NODE)},
@@ -64,11 +65,11 @@ class LaunchTest(unittest.TestCase):
 
     def test_a_file_of_parameters_is_beneath_the_arguments(self):
         with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
-            file.write("{shape: sphere, joint_limits: false, psi_min: 0.4}")
+            file.write("{shape: sphere, keep_in: [], psi_min: 0.4}")
             file.flush()
             config = (f"urdf:={DATA / 'equal_homes.urdf'}", f"config:={file.name}")
             own = parameters(*config)
-            self.assertEqual((own[f"{NODE}/shape"], own[f"{NODE}/joint_limits"]), ("sphere", False))
+            self.assertEqual((own[f"{NODE}/shape"], own[f"{NODE}/psi_min"]), ("cube", 0.4))
             self.assertEqual(parameters(*config, "psi_min:=0.3")[f"{NODE}/psi_min"], 0.3)
 
     def test_xacro_is_run_where_asked_for(self):
