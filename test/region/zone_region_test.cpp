@@ -42,7 +42,13 @@ double worstOf(const Machine& machine, const Criterion& criterion, const Shape& 
 {
   std::vector<Vector3d> starts;
   for (const Zone& zone : criterion.zones)
-    starts.push_back(shape.nearest(mid(transformed(zone.frame, enclose(zone.pose.translation))), center, size));
+    for (int corner = 0; corner < 9; ++corner)  // of a box, or nearly where the surface is; and the center
+    {
+      const Vector3d half = corner == 8 ? Vector3d::Zero() : Vector3d(0.5 * zone.sides);
+      const Vector3d signs((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                           (corner & 4) != 0 ? 1.0 : -1.0);
+      starts.push_back(shape.nearest(zone.pose.translation + half.cwiseProduct(signs), center, size));
+    }
   const std::vector<GrowingVector> corners = shape.extremePoints();
   for (const GrowingVector& corner : corners)
     starts.push_back(center + corner.at(size));
