@@ -46,7 +46,6 @@ void put(const Zone& zone, ByteWriter& writer)
 {
   writer.number(static_cast<std::uint8_t>(zone.use));
   writer.number(static_cast<std::uint8_t>(zone.kind));
-  writer.number(static_cast<std::uint8_t>(zone.in_root));
   writer.text(zone.name);
   put(zone.pose, writer);
   put(zone.frame, writer);
@@ -63,10 +62,10 @@ Zone takeZone(ByteReader& reader)
   Zone zone;
   zone.use = takeOneOf<Zone::Use>(ZONE_USES.size(), reader);
   zone.kind = takeOneOf<Zone::Kind>(ZONE_KINDS.size(), reader);
-  zone.in_root = takeOneOf<unsigned>(2, reader) != 0;
   zone.name = reader.text();
   zone.pose = takePose(reader);
   zone.frame = takePose(reader);
+  zone.in_root = isElsewhere(zone);
   for (double& side : zone.sides)
     side = reader.real();
   zone.radius = reader.real();

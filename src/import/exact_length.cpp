@@ -55,7 +55,7 @@ private:
   void take(int digit)
   {
     ++count_;
-    if (decimals_ == unit_.decimals)
+    if (has_point_ && decimals_ == unit_.decimals)
     {
       digits_ += !is_rounded_ && digit >= 5 ? 1 : 0;
       is_rounded_ = true;

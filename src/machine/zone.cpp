@@ -38,11 +38,6 @@ bool isTurned(const Pose& pose)
   return pose.orientation[0] != 0.0 || pose.orientation[1] != 0.0 || pose.orientation[2] != 0.0;
 }
 
-bool isElsewhere(const Pose& frame)
-{
-  return isTurned(frame) || !frame.translation.isZero(0.0);
-}
-
 std::string turnInWords(const Pose& pose)
 {
   const auto& q = pose.orientation;
@@ -135,6 +130,11 @@ void validateZone(const Zone& zone, double tool_radius, Problems& problems)
 }
 }  // namespace
 
+bool isElsewhere(const Zone& zone)
+{
+  return isTurned(zone.frame) || !zone.frame.translation.isZero(0.0);
+}
+
 std::string title(const Zone& zone)
 {
   return named(zone) + (zone.name.empty() ? " at " + inWords(zone.pose.translation) + " m" : "");
@@ -144,7 +144,7 @@ std::string describe(const Zone& zone)
 {
   const std::string place = zone.kind == ZoneKind::HALF_SPACE ? " from " : " with center ";
   return named(zone) + place + inWords(zone.pose.translation) + " m" + measuresInWords(zone) + turnInWords(zone.pose) +
-         (isElsewhere(zone.frame) ? " (root link's frame)" : "");
+         (isElsewhere(zone) ? " (root link's frame)" : "");
 }
 
 void validateZones(const std::vector<Zone>& zones, double tool_radius, Problems& problems)

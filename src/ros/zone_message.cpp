@@ -7,6 +7,7 @@
 #include "parameter_values.h"
 #include "pkm_workspace/common/problems.h"
 #include "pkm_workspace/machine/zone_keys.h"
+#include "pkm_workspace/ros/client_fields.h"
 #include "pkm_workspace/ros/conversions.h"
 
 namespace pkm_workspace
@@ -20,11 +21,7 @@ std::vector<double> threeOf(const geometry_msgs::Vector3& v)
 
 geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
 {
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
+  return pkm_workspace::messageOf<geometry_msgs::Vector3>({ v.x(), v.y(), v.z() });
 }
 
 /// What is not 0 was given.

@@ -209,6 +209,10 @@ TEST(Zones, bytesHoldThemAndTellThemApart)
     EXPECT_EQ(reader.left(), 0u);
     EXPECT_TRUE(read == criterion);
     EXPECT_EQ(describe(read), describe(criterion));
+    Criterion of_node = criterion;
+    for (Zone& zone : of_node.zones)
+      zone.in_root = true;
+    EXPECT_TRUE(of_node == criterion) << "where they are counts, not who gave them";
     Criterion other = criterion;
     other.zones.back().pose.translation.z() += 1e-9;
     EXPECT_FALSE(other == criterion);

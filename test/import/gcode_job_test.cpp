@@ -83,6 +83,12 @@ TEST(GcodeJob, OffsetsAdd)
   EXPECT_EQ(lastEnd({ "G55", "G10 L2 P0 Y5", "G1 F1 X1 Y1 Z1" }, setup), Vector3d(0.111, -0.194, 0.331));
   for (const char* const system : { "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3" })
     EXPECT_EQ(lastEnd({ system, "G1 F1 X1 Y1 Z1" }, setup), Vector3d(0.101, -0.199, 0.301)) << system;
+  for (const double tiny : { 123e-15, 5e-15, 1e-12, -7.25e-12 })
+  {
+    GcodeSetup near = atZero();
+    near.origin.x() = tiny;
+    EXPECT_EQ(lastEnd({ "G0 X0" }, near).x(), tiny);
+  }
   setup.work_offsets[8] = { 1.0, 0.0, 0.0 };
   EXPECT_EQ(lastEnd({ "G59.3 G1 F1 X1 Y1 Z1" }, setup).x(), 1.101);
 }

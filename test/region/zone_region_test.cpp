@@ -36,42 +36,49 @@ double slackAt(const Machine& machine, const Criterion& criterion, const Vector3
   return std::min({ least, psi[0] / criterion.psi_min - 1.0, 1.0 - psi[2] / criterion.psi_max });
 }
 
-/// The worst point of a region, downhill from the worst of those nearest to zones, corners and random ones.
-double worstOf(const Machine& machine, const Criterion& criterion, const Shape& shape, const Vector3d& center,
-               double size, Random& random)
+/// Points of a region nearest to corners of zones, its own corners and random ones.
+std::vector<Vector3d> startsIn(const Shape& shape, const Vector3d& center, double size, const Criterion& criterion,
+                               Random& random)
 {
   std::vector<Vector3d> starts;
   for (const Zone& zone : criterion.zones)
     for (int corner = 0; corner < 9; ++corner)  // of a box, or nearly where the surface is; and the center
     {
       const Vector3d half = corner == 8 ? Vector3d::Zero() : Vector3d(0.5 * zone.sides);
-      const Vector3d signs((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
-                           (corner & 4) != 0 ? 1.0 : -1.0);
+      const auto sign = [corner](int bit) { return (corner & bit) != 0 ? 1.0 : -1.0; };
+      const Vector3d signs(sign(1), sign(2), sign(4));
       starts.push_back(shape.nearest(zone.pose.translation + half.cwiseProduct(signs), center, size));
     }
-  const std::vector<GrowingVector> corners = shape.extremePoints();
-  for (const GrowingVector& corner : corners)
-    starts.push_back(center + corner.at(size));
+  for (const Vector3d& corner : pointsOf(shape.extremePoints(), center, size))
+    starts.push_back(corner);
   const double reach = shape.halfExtents().at(size).maxCoeff();
   for (int k = 0; k < 200; ++k)
   {
     const Vector3d way(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach));
     starts.push_back(shape.nearest(center + 3.0 * way, center, size));
   }
+  return starts;
+}
+
+/// The worst point of a region, downhill from the worst of those.
+double worstOf(const Machine& machine, const Criterion& criterion, const Shape& shape, const Vector3d& center,
+               double size, Random& random)
+{
   std::vector<std::pair<double, Vector3d>> rated;
-  for (const Vector3d& start : starts)
+  for (const Vector3d& start : startsIn(shape, center, size, criterion, random))
     rated.emplace_back(slackAt(machine, criterion, start), start);
   std::sort(rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   double worst = rated.front().first;
   for (std::size_t start = 0; start < 8 && worst > 0.0; ++start)
   {
     auto [least, at] = rated[start];
-    double step = 0.3 * reach;
-    for (int k = 0; least > 0.0 && k < 400; ++k, step *= 0.98)
+    double step = 0.3 * shape.halfExtents().at(size).maxCoeff();
+    for (int k = 0; least > 0.0 && k < 3000 && step > 1e-9; ++k)
     {
       const Vector3d way(random.uniform(-step, step), random.uniform(-step, step), random.uniform(-step, step));
       const Vector3d next = shape.nearest(at + way, center, size);
       const double value = slackAt(machine, criterion, next);
+      step *= value < least ? 1.5 : 0.9;
       if (value < least)
         at = next;
       least = std::min(least, value);

@@ -50,6 +50,9 @@ inline constexpr std::array<const char*, 4> ZONE_KINDS = { "box", "cylinder", "s
 /// A criterion has so many at the most.
 constexpr std::size_t MOST_ZONES = 32;
 
+/// Whether the zone is given in another frame than that of the answer.
+bool isElsewhere(const Zone& zone);
+
 /// "box 'column' with center (0, 0, 0.1) m and sides (0.2, 0.2, 0.2) m".
 std::string describe(const Zone& zone);
 
