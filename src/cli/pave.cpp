@@ -17,6 +17,8 @@ namespace cli
 namespace
 {
 constexpr std::int64_t MOST_LISTED = 10000000;
+/// What the width of a bracket may be, relative.
+const Quantity SHARE{ "", 1e-15, true, 1.0 };
 
 class Pave : public Command
 {
@@ -25,14 +27,23 @@ public:
   {
     return "Approximates the dextrous or the reachable set by boxes: boxes inside are proved to belong to it, "
            "boxes at the border are undecided at the resolution, and all else is proved not to belong to it. "
-           "The volume of the set is proved to lie between two numbers; it is told for the aspect "
+           "The volume of the set is proved to lie between two numbers, by the parts of boxes that its conditions cut "
+           "off: "
+           "four times as closely at half the resolution, or to a relative width by --volume-to. It is told for the "
+           "aspect "
            "(sign of det A) that is asked for, and for each aspect, in runs of their own that share the limits of time "
            "and memory. Where nothing changes along the rails, without a box, it is the area of the section across "
            "them that is told. Ctrl-C ends it with what is proved. "
            "With --json: volume_lower and volume_upper [m^3] (area_lower and area_upper [m^2] where dimension is 2) of "
            "the set in the aspect that is asked for, and of each aspect in "
-           "own_aspect and other_aspect; of the first resolution [m], box [m], and boxes, boxes_here (looked at "
-           "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending. "
+           "own_aspect and other_aspect; volume_inside and volume_boundary [m^3], of the boxes inside, rounded down, "
+           "and of "
+           "those undecided, rounded up (V_a and V_e; area_inside and area_boundary where dimension is 2); "
+           "volume_boxes, "
+           "boxes looked at for the volume; of the first resolution [m], box [m], and boxes, boxes_here (looked at "
+           "in this run), boxes_inside, boxes_boundary, boxes_pending; seconds; complete, whether none is pending and "
+           "the "
+           "volume is known as closely as asked. "
            "With --components, components: the largest first, each with its volume_lower, boxes, box, a point in it "
            "[m] "
            "and the cluster it is in, no path joins two clusters; clusters, how many; zero_component, the index of the "
@@ -44,6 +55,7 @@ public:
   {
     return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05 --save paving.pkm",
              "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.02 --resume paving.pkm",
+             "pkm pave --urdf orthoglide.urdf --volume-to 1e-4",
              "pkm pave --urdf uranesx.urdf --joint-limits off --resolution 0.01",
              "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1" };
   }
@@ -54,6 +66,10 @@ public:
     options.number("resolution", resolution_, LENGTH_POSITIVE,
                    "boxes no wider than this are not divided further; without it, a twentieth of the longest strut, "
                    "for a flat box a fortieth");
+    options.number(
+        "volume-to", volume_to_, SHARE,
+        "wanted width of the volume's bracket, relative to its upper end: boxes at the border are divided "
+        "further until it is that narrow, where most is uncertain first; 1: as close as the resolution gives");
     options.box("box", query_.box,
                 "what to look at; without it, the whole workspace, or its section through the zero configuration "
                 "where nothing changes along the rails");
@@ -88,9 +104,17 @@ public:
     std::vector<Paving> earlier;
     if (!resume_.empty())
       earlier = loadPavings(resume_, machine_.machine(), queries);
-    for (std::size_t k = 0; k < queries.size(); ++k)
-      paved_.reports.push_back(run(queries[k], earlier.empty() ? nullptr : &earlier[k]));
     paved_.asked = query_.criterion.aspect == Criterion::Aspect::OTHER ? 1 : 0;
+    paved_.reports.resize(queries.size());
+    VolumeQuery wanted;
+    wanted.accuracy = volume_to_;
+    for (std::size_t k = 0; k < queries.size(); ++k)
+    {
+      const std::size_t next = k == 0 ? paved_.asked : k == paved_.asked ? 0 : k;
+      paved_.reports[next] = run(queries[next], earlier.empty() ? nullptr : &earlier[next], wanted);
+      if (k == 0)  // the others as closely, in m^3
+        wanted.width = volume_to_ * paved_.reports[next].size.volume.upper();
+    }
     paved_.reports[paved_.asked].ended_by = endedBy(paved_.reports);
     paved_.most_listed = list_boxes_;
     PavingReport& asked = paved_.reports[paved_.asked];
@@ -144,7 +168,7 @@ private:
     return queries;
   }
 
-  PavingReport run(PavingQuery query, const Paving* earlier) const
+  PavingReport run(PavingQuery query, const Paving* earlier, const VolumeQuery& wanted) const
   {
     Progress progress(progress_);
     const Machine& machine = machine_.machine();
@@ -154,7 +178,7 @@ private:
                     nearly(state.volume_boundary) + measure.unit + ", " + std::to_string(state.boxes) + " boxes, " +
                     nearly(state.boxesPerSecond(), 3) + " boxes/s");
     };
-    return reportPaving(machine, query, earlier);
+    return reportPaving(machine, query, earlier, wanted);
   }
 
   /// The first that was.
@@ -169,6 +193,7 @@ private:
   MachineOptions machine_;
   PavingQuery query_;
   std::optional<double> resolution_;
+  double volume_to_ = 1.0;
   bool components_ = false;
   bool progress_ = false;
   std::string save_;

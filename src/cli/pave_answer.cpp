@@ -17,19 +17,19 @@ namespace
 Json bracketOf(const PavingReport& report)
 {
   const std::string name = Measure(report.paving.box).name;
-  return { { name + "_lower", report.measure.lower() }, { name + "_upper", report.measure.upper() } };
+  return { { name + "_lower", report.size.volume.lower() }, { name + "_upper", report.size.volume.upper() } };
 }
 
 std::string sizeOf(const PavingReport& report)
 {
-  return bracket(report.measure.lower(), report.measure.upper()) + Measure(report.paving.box).unit;
+  return bracket(report.size.volume.lower(), report.size.volume.upper()) + Measure(report.paving.box).unit;
 }
 
 double secondsOf(const std::vector<PavingReport>& reports)
 {
   double sum = 0.0;
   for (const PavingReport& report : reports)
-    sum += report.paving.seconds;
+    sum += report.seconds();
   return sum;
 }
 
@@ -127,7 +127,11 @@ Json pavedJson(const Machine& machine, const Paved& paved)
   json.update(bracketOf(asked));
   json["own_aspect"] = bracketOf(reports[reports.size() - 2]);
   json["other_aspect"] = bracketOf(reports.back());
-  json["dimension"] = Measure(whole.box).dimension;
+  const Measure measure(whole.box);
+  json[measure.name + "_inside"] = whole.volume_inside.lower();
+  json[measure.name + "_boundary"] = whole.volume_boundary.upper();
+  json[measure.name + "_boxes"] = asked.size.boxes;
+  json["dimension"] = measure.dimension;
   json["resolution"] = whole.resolution;
   json["box"] = toJson(whole.box);
   json["boxes"] = whole.boxes;
@@ -136,7 +140,7 @@ Json pavedJson(const Machine& machine, const Paved& paved)
   json["boxes_boundary"] = whole.tree.count(CellState::BOUNDARY);
   json["boxes_pending"] = whole.tree.count(CellState::PENDING);
   json["seconds"] = secondsOf(reports);
-  json["complete"] = asked.ended_by.empty();
+  json["complete"] = asked.complete();
   json["ended_by"] = asked.ended_by.empty() ? Json() : Json(asked.ended_by);
   addLimits(machine, whole.premises.criterion, asked.reaches, json);
   addComponents(asked, json);
@@ -150,19 +154,23 @@ std::string print(const Machine& machine, const Paved& paved)
   const PavingReport& asked = reports[paved.asked];
   const Paving& whole = asked.paving;
   const Criterion& criterion = whole.premises.criterion;
+  const Measure measure(whole.box);
   const auto count = [&whole](CellState state) { return std::to_string(whole.tree.count(state)) + " boxes"; };
+  const std::string inside = ", " + significantBelow(whole.volume_inside.lower(), 6) + measure.unit;
+  const std::string boundary = ", " + significantAbove(whole.volume_boundary.upper(), 6) + measure.unit;
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
   const std::vector<Words> rows = {
-    { Measure(whole.box).name, sizeOf(asked) },
+    { measure.name, sizeOf(asked) },
     { "own aspect", sizeOf(reports[reports.size() - 2]) },
     { "other aspect", sizeOf(reports.back()) },
-    { "inside", count(CellState::INSIDE) },
-    { "boundary", count(CellState::BOUNDARY) + ", undecided at the resolution" },
+    { "inside", count(CellState::INSIDE) + inside },
+    { "boundary", count(CellState::BOUNDARY) + boundary + ", undecided at the resolution" },
     { "pending", count(CellState::PENDING) + ", not looked at" },
     { "box", "from " + describe(whole.box.lower) + " to " + describe(whole.box.upper) },
     { "resolution", exact(whole.resolution) + " m" },
-    { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + seconds(secondsOf(reports)) },
+    { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + std::to_string(asked.size.boxes) +
+                    " for the " + measure.name + ", " + seconds(secondsOf(reports)) },
   };
   return "Paving of the points of machine '" + machine.name() + "' that are " + quality(criterion) + "\n\n" +
          aligned(rows, Align::LEFT) + "\n" + wrapped(asked.message(machine)) + printComponents(asked) +

@@ -5,6 +5,7 @@
 // is compiled for several instruction sets, and the linker keeps one copy of whatever has the same name.
 
 #include "box_look.h"
+#include "cut_collector.h"
 #include "form_collector.h"
 
 namespace pkm_workspace
@@ -77,6 +78,13 @@ public:
       FormCollector<Real>(per_length_, results + first, origins ? origins + first * NecessaryForms::MOST : nullptr,
                           count - first)
           .collect(model_, gatherMoved(box, Real(size), offsets + first, count - first));
+  }
+
+  void cuts(const Box* boxes, std::size_t count, BoxCuts* results) const override
+  {
+    const WideRegisters<Real> wide;
+    for (std::size_t first = 0; first < count; first += W)
+      CutCollector<Real>(results + first, count - first).collect(model_, gather<Real>(boxes + first, count - first));
   }
 
   void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const override

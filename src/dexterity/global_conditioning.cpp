@@ -34,16 +34,6 @@ struct Part
 /// told to the mean as well.
 constexpr std::size_t PART_BYTES = 3 * sizeof(Part) + 3 * PartialMean::BORDER_BYTES;
 
-/// Of flat boxes, the area: sides without a width do not count.
-Interval measureOf(const Box& box)
-{
-  Interval measure(1.0);
-  for (int axis = 0; axis < 3; ++axis)
-    if (box.lower[axis] < box.upper[axis])
-      measure *= Interval(box.upper[axis]) - Interval(box.lower[axis]);
-  return measure;
-}
-
 /// The mean of the index, by dividing the parts that leave most of it open.
 class Average : public BranchingDefaults
 {
@@ -120,7 +110,7 @@ private:
     if (verdict == BoxVerdict::OUTSIDE)
       return std::nullopt;
     const ConditioningBounds bounds = conditioningOver(model_, box);
-    Part part{ box, measureOf(box), bounds.mean, verdict == BoxVerdict::INSIDE, 0.0 };
+    Part part{ box, box.measure(), bounds.mean, verdict == BoxVerdict::INSIDE, 0.0 };
     if (!part.whole)
       part.index = bounds.range;
     // a part at the border counts with how far its index may be from the mean

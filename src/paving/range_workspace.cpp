@@ -5,17 +5,14 @@
 #include <optional>
 
 #include "pkm_workspace/interval/text_stream.h"
-#include "pkm_workspace/paving/reachable_volume.h"
+#include "pkm_workspace/paving/set_volume.h"
 
 namespace pkm_workspace
 {
 namespace
 {
-/// In struts: the resolution of the first pavings.
+/// In struts: the resolution of the pavings, whose boxes at the border are divided further.
 constexpr double COARSE = 0.1;
-/// Each takes about four times the boxes of the one before.
-constexpr int HALVINGS = 6;
-
 void validateRanges(const std::array<Interval, 3>& ranges, Problems& problems)
 {
   for (std::size_t i = 0; i < 3; ++i)
@@ -45,73 +42,20 @@ Interval volumeBetween(const Machine& machine, const JointIntervals& ranges)
   return volume;
 }
 
-/// Both aspects at one resolution after the other.
-class RangePaver
+/// Encloses the volume of one aspect for the outer ranges.
+Interval volumeOfAspect(const Machine& machine, Criterion::Aspect aspect, VolumeQuery wanted)
 {
-public:
-  RangePaver(const Machine& machine, const RangeQuery& query)
-    : machine_(withJointLimits(machine, query.ranges.outer))
-    , query_(query)
-    , uncertain_(volumeBetween(machine, query.ranges))
-    , budget_(query.budget)
-  {}
-
-  RangeWorkspace run()
-  {
-    double resolution = COARSE * machine_.scale();
-    for (int k = 0; k <= HALVINGS && !(k > 0 && isSettled()) && !isOver(); ++k, resolution *= 0.5)
-    {
-      answer_.resolution = resolution;
-      const Interval own = volume(Criterion::Aspect::OWN, resolution);
-      const Interval other = volume(Criterion::Aspect::OTHER, resolution);
-      answer_.own_aspect = k == 0 ? own : intersection(answer_.own_aspect, own);
-      answer_.other_aspect = k == 0 ? other : intersection(answer_.other_aspect, other);
-    }
-    answer_.own_aspect = withinRanges(answer_.own_aspect);
-    answer_.other_aspect = withinRanges(answer_.other_aspect);
-    answer_.complete = isSettled();
-    answer_.seconds = budget_.seconds();
-    return answer_;
-  }
-
-private:
-  bool isOver() const { return boxes_ > 0 && budget_.isOver(boxes_); }
-
-  /// Whether the volume that the accuracy is about is known to it.
-  bool isSettled() const
-  {
-    const Interval& asked = query_.aspect == Criterion::Aspect::OTHER ? answer_.other_aspect : answer_.own_aspect;
-    return asked.width() <= query_.accuracy * asked.upper();
-  }
-
-  Interval volume(Criterion::Aspect aspect, double resolution)
-  {
-    PavingQuery query;
-    query.criterion.set = Criterion::Set::REACHABLE;
-    query.criterion.aspect = aspect;
-    query.criterion.joint_limits = true;
-    query.resolution = resolution;
-    query.budget = budget_.rest(boxes_).sharedBy(pavings_.size());
-    std::optional<Paving>& paving = pavings_[aspect == Criterion::Aspect::OWN ? 0 : 1];
-    paving = paving ? resume(machine_, query, *paving) : pave(machine_, query);
-    boxes_ += paving->boxes_here;
-    return reachableVolume(machine_, query.criterion, *paving, budget_.rest(boxes_));
-  }
-
-  /// Encloses the volume for the ranges, given that for the outer ones.
-  Interval withinRanges(const Interval& outer) const
-  {
-    return { std::max(0.0, (outer - uncertain_).lower()), outer.upper() };
-  }
-
-  const Machine machine_;
-  const RangeQuery& query_;
-  const Interval uncertain_;  ///< what may belong to the outer ranges only [m^3]
-  const RunningBudget budget_;
-  std::int64_t boxes_ = 0;
-  std::array<std::optional<Paving>, 2> pavings_;  ///< of either aspect, at the last resolution
-  RangeWorkspace answer_;
-};
+  const RunningBudget running(wanted.budget);
+  PavingQuery query;
+  query.criterion.set = Criterion::Set::REACHABLE;
+  query.criterion.aspect = aspect;
+  query.criterion.joint_limits = true;
+  query.resolution = COARSE * machine.scale();
+  query.budget = wanted.budget;
+  const Paving paving = pave(machine, query);
+  wanted.budget = running.rest(paving.boxes_here);
+  return setVolume(machine, paving, wanted).volume;
+}
 }  // namespace
 
 JointIntervals equalisedRanges(const std::array<Interval, 3>& least, const std::array<Interval, 3>& strokes)
@@ -153,6 +97,27 @@ void RangeQuery::validate(Problems& problems) const
 
 RangeWorkspace workspaceOfRanges(const Machine& machine, const RangeQuery& query)
 {
-  return RangePaver(machine, validated(query)).run();
+  validated(query);
+  const Machine limited = withJointLimits(machine, query.ranges.outer);
+  const Interval uncertain = volumeBetween(machine, query.ranges);
+  const RunningBudget budget(query.budget);
+  const auto volumeOf = [&](bool is_own, double width) {
+    VolumeQuery wanted;
+    wanted.accuracy = query.accuracy;
+    wanted.width = width;
+    wanted.budget = query.budget.inTurns(2.0);
+    const Interval volume = volumeOfAspect(limited, is_own ? Criterion::Aspect::OWN : Criterion::Aspect::OTHER, wanted);
+    return Interval(std::max(0.0, (volume - uncertain).lower()), volume.upper());
+  };
+  const bool asks_own = query.aspect == Criterion::Aspect::OWN;
+  const Interval asked = volumeOf(asks_own, 0.0);
+  const double width = query.accuracy * asked.upper();
+  const Interval other = volumeOf(!asks_own, width);
+  RangeWorkspace answer;
+  answer.own_aspect = asks_own ? asked : other;
+  answer.other_aspect = asks_own ? other : asked;
+  answer.complete = asked.width() <= width;
+  answer.seconds = budget.seconds();
+  return answer;
 }
 }  // namespace pkm_workspace

@@ -37,7 +37,8 @@ void add(const BoxTree& tree, CellState state, BoxList& list)
 PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
                            const Parameters& parameters, double longest)
 {
-  PavingQuestion question{ {}, in, request.max_listed };
+  PavingQuestion question{ {}, in, request.max_listed, {} };
+  question.volume.accuracy = valueOr(request.volume_accuracy, 1.0);
   PavingQuery& query = question.query;
   Problems problems;
   query.criterion = in.seen(fromMessage(request.criterion, *in.machine, criterion, problems));
@@ -50,6 +51,7 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
   const double resolution = valueOr(request.resolution, parameters.paving_resolution);
   query.resolution = valueOr(resolution, 1.0);  // until the criterion is known to be good
   query.validate(problems);
+  validateShare("volume_accuracy", question.volume.accuracy, "(relative)", problems);
   throwProblems(problems);
   if (resolution == 0.0)
     query.resolution = withRemedy(PAVING_REMEDY, [&] { return defaultResolution(*in.machine, query); });
@@ -66,8 +68,8 @@ Workspace toMessage(const PavingQuestion& question, const PavingReport& report, 
   message.min_corner = toMessage(paving.box.lower);
   message.max_corner = toMessage(paving.box.upper);
   message.dimension = static_cast<std::uint8_t>(Measure(paving.box).dimension);
-  message.volume_lower_bound = report.measure.lower();
-  message.volume_upper_bound = report.measure.upper();
+  message.volume_lower_bound = report.size.volume.lower();
+  message.volume_upper_bound = report.size.volume.upper();
   message.volume_inside = paving.volume_inside.lower();
   message.volume_boundary = paving.volume_boundary.upper();
   message.boxes_inside = tree.count(CellState::INSIDE);
@@ -75,8 +77,8 @@ Workspace toMessage(const PavingQuestion& question, const PavingReport& report, 
   message.boxes_pending = tree.count(CellState::PENDING);
   message.boxes = paving.boxes;
   message.boxes_here = paving.boxes_here;
-  message.complete = paving.complete;
-  message.seconds = paving.seconds;
+  message.complete = report.complete();
+  message.seconds = report.seconds();
   message.message = report.message(*question.in.machine);
   if (question.max_listed > 0)
   {

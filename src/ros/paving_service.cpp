@@ -61,10 +61,11 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   }
   const Paving& paving = report->paving;
   const Workspace workspace = toMessage(question, *report, ros::Time::now());
-  const std::string effort = std::to_string(paving.boxes_here) + " boxes, " + nearly(paving.seconds, 3) + " s";
+  const std::string effort =
+      std::to_string(paving.boxes_here + report->size.boxes) + " boxes, " + nearly(report->seconds(), 3) + " s";
   ROS_INFO_STREAM_NAMED("server", workspace.message << ' ' << effort);
   context_.health.noteComputation(
-      { describe(question.query), workspace.message + ' ' + effort, paving.seconds, !paving.complete });
+      { describe(question.query), workspace.message + ' ' + effort, report->seconds(), !report->complete() });
   if (!*stop)  // whoever asked has the answer by then
     context_.worker.post([this, in = question.in, workspace, report] { show(in, workspace, report); });
   return workspace;
@@ -78,7 +79,8 @@ PavingReport PavingService::goOn(const PavingQuestion& question) const
   Problems differences;
   if (last)
     validateEarlier(*question.in.machine, question.query, last->paving, differences);
-  return reportPaving(*question.in.machine, question.query, last && differences.empty() ? &last->paving : nullptr);
+  return reportPaving(*question.in.machine, question.query, last && differences.empty() ? &last->paving : nullptr,
+                      question.volume);
 }
 
 void PavingService::show(const FramedMachine& in, Workspace workspace,

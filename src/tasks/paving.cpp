@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "pkm_workspace/dexterity/defaults.h"
-#include "pkm_workspace/paving/reachable_volume.h"
 #include "pkm_workspace/report/connection_sentence.h"
 #include "pkm_workspace/report/paving_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
@@ -13,28 +12,32 @@ namespace pkm_workspace
 {
 namespace
 {
-/// With what is left of the time.
-Interval measureOf(const Machine& machine, const PavingQuery& query, const Paving& paving)
+/// With what is left of the budget.
+SetVolume sizeOf(const Machine& machine, const PavingQuery& query, const Paving& paving, VolumeQuery wanted)
 {
-  const Interval measure(paving.volumeLower(), paving.volumeUpper());
-  if (query.criterion.boundsFactors())
-    return measure;
-  const Budget budget = query.budget.within(std::max(1e-9, query.budget.time_limit - paving.seconds));
-  return intersection(measure, reachableVolume(machine, query.criterion, paving, budget));
+  wanted.budget = query.budget.within(std::max(1e-9, query.budget.time_limit - paving.seconds));
+  if (query.budget.max_boxes > 0)
+    wanted.budget.max_boxes = std::max<std::int64_t>(1, query.budget.max_boxes - paving.boxes_here);
+  wanted.progress = query.progress;
+  wanted.progress_period = query.progress_period;
+  return setVolume(machine, paving, wanted);
 }
 
-std::string endedBy(const Budget& budget, const Paving& paving)
+std::string endedBy(const Budget& budget, const PavingReport& report)
 {
-  if (paving.complete)
+  if (report.paving.complete && report.size.complete)
     return "";
-  const std::string ended_by = budget.endedBy(paving.seconds, paving.boxes_here);
-  return ended_by.empty() ? budget.endedBy(paving.seconds, paving.boxes_here, true) : ended_by;
+  const std::int64_t boxes = report.paving.boxes_here + (report.paving.complete ? report.size.boxes : 0);
+  for (const bool out_of_memory : { false, true })
+    if (const std::string ended_by = budget.endedBy(report.seconds(), boxes, out_of_memory); !ended_by.empty())
+      return ended_by;
+  return "";
 }
 }  // namespace
 
 std::string PavingReport::message(const Machine& machine) const
 {
-  return withRemark(describe(paving, measure, machine, ended_by),
+  return withRemark(describe(paving, size.volume, machine, ended_by),
                     remarkOnLimits(machine, paving.premises.criterion, reaches));
 }
 
@@ -56,14 +59,14 @@ double defaultResolution(const Machine& machine, const PavingQuery& query)
   return defaultResolution(machine, query.box ? *query.box : defaultBox(machine, query.criterion));
 }
 
-PavingReport reportPaving(const Machine& machine, const PavingQuery& query, const Paving* earlier)
+PavingReport reportPaving(const Machine& machine, const PavingQuery& query, const Paving* earlier, VolumeQuery wanted)
 {
   PavingReport report;
   report.paving = earlier ? resume(machine, query, *earlier) : pave(machine, query);
-  report.measure = measureOf(machine, query, report.paving);
+  report.size = sizeOf(machine, query, report.paving, std::move(wanted));
   if (!query.criterion.joint_limits)
     report.reaches = reachOver(machine, report.paving);
-  report.ended_by = endedBy(query.budget, report.paving);
+  report.ended_by = endedBy(query.budget, report);
   return report;
 }
 }  // namespace pkm_workspace

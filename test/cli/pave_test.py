@@ -109,7 +109,8 @@ class Pave(CommandTest):
         self.assertEqual(area["own_aspect"]["area_lower"], area["area_lower"])
         self.assertEqual(area["other_aspect"]["area_upper"], 0)
         self.assertRegex(text, r"area +\S+ to \S+ m\^2\n")
-        self.assertRegex(text, r"points of the box that(.|\n)* have\s+an\s+area\s+of(.|\n)*in every\s+plane parallel")
+        self.assertRegex(text, r"points of the box that(.|\n)* have\s+an\s+area\s+of(.|\n)*"
+                               r"in\s+every\s+plane\s+parallel")
         x0, y0, z = area["box"]["lower"]
         x1, y1, _ = area["box"]["upper"]
         solid = self.pave(URANESX, *words, "--box", x0, x1, y0, y1, z, z + 0.1)
@@ -192,13 +193,55 @@ class Pave(CommandTest):
         listed = all_of_them["listed"]
         self.assertEqual(len(listed["inside"]), all_of_them["boxes_inside"])
         self.assertEqual(len(listed["undecided"]), all_of_them["boxes_boundary"])
-        self.assertAlmostEqual(volume(listed["inside"]), all_of_them["volume_lower"], delta=1e-12)
+        self.assertAlmostEqual(volume(listed["inside"]), all_of_them["volume_inside"], delta=1e-12)
+        self.assertAlmostEqual(volume(listed["undecided"]), all_of_them["volume_boundary"], delta=1e-12)
         few = self.pave(ORTHOGLIDE, *words, 500)["listed"]
         self.assertLessEqual(len(few["inside"]) + len(few["undecided"]), 500)
         self.assertGreater(len(few["inside"]), 0)
         self.assertLess(volume(few["inside"]), volume(listed["inside"]))
         self.assertGreaterEqual(volume(few["inside"]) + volume(few["undecided"]), all_of_them["volume_upper"] - 1e-12)
         self.assertNotIn("listed", self.pave(ORTHOGLIDE, "--resolution", 0.1))
+
+    def test_parts_of_boxes_tell_more_than_whole_ones(self):
+        answer = self.pave(ORTHOGLIDE, "--resolution", 0.05)
+        self.assertLess(answer["volume_upper"] - answer["volume_lower"], 0.1 * answer["volume_boundary"])
+        self.assertLessEqual(answer["volume_inside"], answer["volume_lower"])
+        self.assertLessEqual(answer["volume_upper"], answer["volume_inside"] + answer["volume_boundary"] + 1e-12)
+        finer = self.pave(ORTHOGLIDE, "--resolution", 0.025)
+        self.assertLess(finer["volume_upper"] - finer["volume_lower"],
+                        0.3 * (answer["volume_upper"] - answer["volume_lower"]))
+
+    def test_volume_to_a_width(self):
+        """The paving stays what it is."""
+        coarse = self.pave(ORTHOGLIDE)
+        for words, value, slack in (((), DEXTROUS, 1e-3), (("--set", "reachable", "--aspect", "both"), REACHABLE, 0)):
+            close = self.pave(ORTHOGLIDE, *words, "--volume-to", 5e-4)
+            self.assertVolume(close, value, slack)
+            self.assertLessEqual(close["volume_upper"] - close["volume_lower"], 5e-4 * close["volume_upper"])
+            for aspect in ("own_aspect", "other_aspect"):
+                self.assertLessEqual(close[aspect]["volume_upper"] - close[aspect]["volume_lower"],
+                                     5e-4 * close["volume_upper"])
+            self.assertIs(close["complete"], True)
+            if not words:
+                self.assertGreater(close["volume_boxes"], coarse["volume_boxes"])
+                for key in ("boxes", "boxes_inside", "boxes_boundary", "volume_inside", "volume_boundary"):
+                    self.assertEqual(close[key], coarse[key], key)
+        area = self.pave(URANESX, "--joint-limits", "off", "--volume-to", 1e-4)
+        self.assertLessEqual(area["area_upper"] - area["area_lower"], 1e-4 * area["area_upper"])
+        self.assertGreater(area["area_inside"], 0)
+
+    def test_volume_that_is_not_known_as_closely_as_asked(self):
+        for budget, ended_by in ((("--max-boxes", 100000), "the limit of 100000 boxes"),
+                                 (("--max-memory", 10000000), "its share of the limit of 10000000 bytes of memory")):
+            answer = self.pave(ORTHOGLIDE, "--volume-to", 1e-5, *budget)
+            self.assertEqual(answer["ended_by"], ended_by)
+            self.assertEqual(answer["boxes_pending"], 0)
+            self.assertIs(answer["complete"], False)
+            self.assertVolume(answer, DEXTROUS, 1e-3)
+        for value in ("0", "1.5", "-1", "nan"):
+            process = run("pave", "--urdf", ORTHOGLIDE, "--volume-to", value)
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, f"--volume-to {value}: .*from 1e-15 to 1")
 
     def test_reachable_volume_is_closer_than_its_boxes(self):
         answer = self.pave(ORTHOGLIDE, "--set", "reachable", "--aspect", "both", "--resolution", 0.1)

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
-#include "support/driven_criteria.h"
+#include "support/every_criterion.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
 #include "support/oracle.h"
@@ -15,26 +15,6 @@ namespace pkm_workspace
 namespace
 {
 using test::SEED;
-
-std::vector<Criterion> everyCriterion()
-{
-  std::vector<Criterion> criteria(9);
-  criteria[1].psi_min = 1.0 / 3.0;
-  criteria[1].psi_max = 3.0;
-  criteria[2].aspect = Criterion::Aspect::OTHER;
-  criteria[3].set = Criterion::Set::REACHABLE;
-  criteria[4].set = Criterion::Set::REACHABLE;
-  criteria[4].aspect = Criterion::Aspect::BOTH;
-  for (std::size_t k = 5; k < 8; ++k)
-    criteria[k].set = Criterion::Set::REACHABLE;
-  criteria[5].force_min = 0.4;
-  criteria[6].force_max = 3.0;
-  criteria[7].kappa_max = 4.0;
-  criteria[8].force_min = 0.6;
-  criteria[8].force_max = 1.9;
-  criteria[8].kappa_max = 2.5;
-  return criteria;
-}
 
 /// Tries one machine and criterion: no verdict on a random box is contradicted by a point of the box.
 /// @return how many boxes were INSIDE and OUTSIDE
@@ -66,7 +46,7 @@ TEST(BoxTest, verdictsHoldAtEveryPointOfTheBox)
   for (const Machine& machine : test::everyKind())
   {
     std::pair<int, int> total(0, 0);
-    for (const Criterion& criterion : everyCriterion())
+    for (const Criterion& criterion : test::everyCriterion())
     {
       const auto counts = expectVerdictsHold(machine, criterion, SEED);
       total.first += counts.first;
@@ -80,7 +60,7 @@ TEST(BoxTest, verdictsHoldAtEveryPointOfTheBox)
 TEST(BoxTest, verdictsHoldWithJointLimits)
 {
   for (const Machine& machine : { test::limited(orthoglide()), test::limited(test::crooked(4)) })
-    for (Criterion criterion : everyCriterion())
+    for (Criterion criterion : test::everyCriterion())
     {
       criterion.joint_limits = true;
       const auto counts = expectVerdictsHold(machine, criterion, SEED + 1);
@@ -108,17 +88,9 @@ TEST(BoxTest, verdictsHoldWithHingeLimits)
 {
   for (const Machine& machine : { orthoglide(), test::crooked(4) })
   {
-    Machine::Legs legs = machine.legs();
-    for (Leg& leg : legs)
-    {
-      const IntervalVector& axis = slidingStrut(leg).axis;
-      const IntervalVector across = cross(axis, IntervalVector{ 0.3, 0.5, 0.7 });
-      slidingStrut(leg).stops = { { "hinge", false, -0.3, across, Interval(-0.2 * machine.scale()) },
-                                  { "hinge", true, 0.3, Interval(-1.0) * across, Interval(-0.1 * machine.scale()) } };
-    }
     Criterion criterion = test::withMotors(machine);
     criterion.hinge_limits = true;
-    const auto counts = expectVerdictsHold(Machine("hinged", legs, machine.zero()), criterion, SEED + 3);
+    const auto counts = expectVerdictsHold(test::hinged(machine), criterion, SEED + 3);
     EXPECT_GT(counts.first, 2);
     EXPECT_GT(counts.second, 10);
   }

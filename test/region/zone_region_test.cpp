@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pkm_workspace/paving/paving.h"
-#include "pkm_workspace/paving/reachable_volume.h"
+#include "pkm_workspace/paving/set_volume.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/region/path_check.h"
 #include "pkm_workspace/region/turned_region.h"
@@ -246,7 +246,7 @@ TEST(ZoneRegion, volumesOfZonesWithinReachAreKnown)
     query.criterion.aspect = Criterion::Aspect::BOTH;
     query.criterion.zones = { zone };
     query.resolution = 0.05;
-    return reachableVolume(machine, query.criterion, pave(machine, query));
+    return setVolume(machine, pave(machine, query), {}).volume;
   };
   const auto holds = [](const Interval& bracket, double exact, double width) {
     EXPECT_LE(bracket.lower(), exact);

@@ -6,7 +6,7 @@
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
-#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/paving/set_volume.h"
 
 namespace pkm_workspace
 {
@@ -38,8 +38,10 @@ Paving fresh(double resolution)
 
 void expectSame(const Paving& paving, const Workspace& workspace)
 {
-  EXPECT_EQ(paving.volumeLower(), workspace.volume_lower_bound);
-  EXPECT_EQ(paving.volumeUpper(), workspace.volume_upper_bound);
+  const Interval volume = setVolume(orthoglide(), paving, {}).volume;
+  EXPECT_EQ(volume.lower(), workspace.volume_lower_bound);
+  EXPECT_EQ(volume.upper(), workspace.volume_upper_bound);
+  EXPECT_EQ(paving.volume_inside.lower(), workspace.volume_inside);
   EXPECT_EQ(paving.tree.count(CellState::INSIDE), workspace.boxes_inside);
   EXPECT_EQ(paving.tree.count(CellState::BOUNDARY), workspace.boxes_boundary);
   EXPECT_EQ(paving.boxes, workspace.boxes);
@@ -108,13 +110,21 @@ TEST(ComputeWorkspace, saysWhatIsProvedAndWhichLimitEndedIt)
   }
 }
 
-TEST(ComputeWorkspace, knowsAReachableSetMoreCloselyThanItsBoxes)
+TEST(ComputeWorkspace, knowsTheVolumeMoreCloselyThanItsBoxes)
 {
   PavingRequest query = atResolution(0.1);
-  query.criterion.set = CriterionRequest::REACHABLE;
   const Workspace workspace = approximate(query).workspace;
   EXPECT_LT(workspace.volume_inside, workspace.volume_lower_bound);
   EXPECT_LT(workspace.volume_upper_bound, workspace.volume_inside + workspace.volume_boundary);
+  query.volume_accuracy = 1e-3;
+  const Workspace close = approximate(query).workspace;
+  EXPECT_TRUE(close.complete);
+  EXPECT_LE(close.volume_upper_bound - close.volume_lower_bound, 1e-3 * close.volume_upper_bound);
+  EXPECT_EQ(close.boxes_boundary, workspace.boxes_boundary);
+  query.volume_accuracy = -1.0;
+  const auto refused = approximate(query);
+  EXPECT_EQ(refused.error_code, ErrorCode::INVALID_REQUEST);
+  EXPECT_NE(refused.message.find("volume_accuracy = -1"), std::string::npos) << refused.message;
 }
 
 TEST(ComputeWorkspace, listsBoxesAsCoarselyAsItTakes)

@@ -8,6 +8,7 @@
 
 #include "pkm_workspace/dexterity/machine_model.h"
 #include "pkm_workspace/dexterity/path_piece.h"
+#include "pkm_workspace/interval/cube_cut.h"
 #include "pkm_workspace/interval/half_space.h"
 
 namespace pkm_workspace
@@ -47,6 +48,16 @@ struct NecessaryForms
   std::array<AffineForm<double>, MOST> form;                 ///< without unit
 };
 
+/// What is known of the criterion within one box, by planes: it holds where all conditions do.
+struct BoxCuts
+{
+  static constexpr std::size_t MOST = 16;
+
+  bool violated = false;  ///< no point of the box satisfies the criterion, proved
+  std::size_t count = 0;  ///< how many of the cuts are in use: those of conditions that do not hold all over the box
+  std::array<CubeCut, MOST> cut;  ///< delta from -1 to 1 along each side; but for a set without volume
+};
+
 /// The arithmetic of the verdicts, for several boxes at a time: as many as the processor works on side by side. What it
 /// computes for one box does not depend on the others, nor on how many there are at a time.
 class BoxKernel
@@ -76,6 +87,8 @@ public:
   /// the first form and its origin tell by which leg
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets,
                               std::size_t count, NecessaryForms* results, FormOrigin* origins = nullptr) const = 0;
+  /// What is known within each box.
+  virtual void cuts(const Box* boxes, std::size_t count, BoxCuts* results) const = 0;
   /// MachineModel::margin at each of the points [m].
   virtual void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const = 0;
 };

@@ -101,7 +101,9 @@ constexpr double NO_MARGIN = 1e300;
 //     necessary(subject, u, v, form)    it holds nowhere where the form is negative, that it has by the vectors u and v
 //     oneSigned(subject, at_center, form(), power)  it holds where the form is positive, which has no zero where the
 //                                       conditions before it in the list hold
-//     scalarOr(subject, form, power, exist, alternative())  as scalar; or all of the alternative forms are positive
+//     scalarOr(subject, form, power, exist, alternative())  as scalar; or all of the alternative forms are positive.
+//                                       Where the first three are, the last one has the condition's sign, but for a set
+//                                       without volume
 //   visitScalar(place, visitor)  of conditions that bound no factors, the same in scalar() only
 //   static steepest(criterion)  encloses the largest |n_i| / b_i that it allows in any leg, or nothing: bounds follow
 //   static tellLimits(at)  tells its limits at a point, by at.atLeast() and the like; none where it is about a number

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <utility>
 
 #include "pkm_workspace/interval/interval_vector.h"
+#include "pkm_workspace/interval/rounding.h"
 
 namespace pkm_workspace
 {
@@ -55,6 +57,16 @@ struct Box
   {
     const auto length = [this](int axis) { return Interval(upper[axis]) - Interval(lower[axis]); };
     return length(0) * length(1) * length(2);
+  }
+  /// The same in the box's own dimension: sides without a width do not count [m^dimension]; 1 of a point.
+  Interval measure() const
+  {
+    double measure = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (lower[axis] < upper[axis])
+        measure *= width(axis);
+    const double error = 16.0 * rounding::roundoff<double>() * measure + rounding::underflow<double>();
+    return { std::max(0.0, measure - error), measure + error };
   }
 };
 

@@ -32,7 +32,7 @@ struct RangeQuery
 {
   JointIntervals ranges;                              ///< of the joint values [m]; bounded
   double accuracy = 5e-3;                             ///< wanted width of the volume, relative to its upper end; > 0
-  Budget budget;                                      ///< max_boxes and time_limit are shared by all pavings
+  Budget budget;                                      ///< time_limit is shared by the aspects, max_boxes is for each
   Criterion::Aspect aspect = Criterion::Aspect::OWN;  ///< whose volume the accuracy is about: OWN or OTHER
 
   void validate(Problems& problems) const;
@@ -41,16 +41,16 @@ struct RangeQuery
 /// All that the tool can reach with the joints in given ranges and in the machine's working mode (paper, section 4.4).
 struct RangeWorkspace
 {
-  Interval own_aspect;      ///< encloses the volume with the machine's own sign of det A [m^3]
-  Interval other_aspect;    ///< and with the other sign [m^3]
-  double resolution = 0.0;  ///< of the pavings [m]
-  bool complete = false;    ///< the accuracy was met
+  Interval own_aspect;    ///< encloses the volume with the machine's own sign of det A [m^3]
+  Interval other_aspect;  ///< and with the other sign [m^3]
+  bool complete = false;  ///< the accuracy was met
   double seconds = 0.0;
 };
 
-/// Paves it more and more finely until the volume of the aspect in question is known to the accuracy or the budget
-/// ends. Paved are the outer ranges; what they hold beyond the inner ones goes off the lower bounds: a length w of a
-/// joint's values takes at most the volume pi L^2 w. Equalise the ranges first for what the paper does.
+/// Paves it, and divides the boxes at the border until the volume of the aspect in question is known to the accuracy or
+/// the budget ends; the other one is known as closely, in m^3. Paved are the outer ranges; what they hold beyond the
+/// inner ones goes off the lower bounds: a length w of a joint's values takes at most the volume pi L^2 w. Equalise the
+/// ranges first for what the paper does.
 /// @throws std::invalid_argument for a query that is not valid, with all reasons
 RangeWorkspace workspaceOfRanges(const Machine& machine, const RangeQuery& query);
 }  // namespace pkm_workspace

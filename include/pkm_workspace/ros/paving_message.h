@@ -21,6 +21,7 @@ struct PavingQuestion
   PavingQuery query;
   FramedMachine in;
   std::int64_t max_listed = 0;  ///< boxes in the message
+  VolumeQuery volume;           ///< how closely its volume is wanted
 };
 
 /// @param criterion what fields without a value stand for @param parameters other defaults and ceilings

@@ -33,7 +33,7 @@ struct Comparison
 using Tell = std::function<void(const std::string&)>;
 
 /// What volumes are compared to, relative, unless something else is asked for.
-constexpr double VOLUME_ACCURACY = 5e-3;
+constexpr double VOLUME_ACCURACY = 1e-3;
 
 /// Finds the largest region, then what follows from it. The time limit is shared by all parts.
 /// @throws std::invalid_argument for a query that is not valid, has no bounded answer, or is about both aspects at once

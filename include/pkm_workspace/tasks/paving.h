@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pkm_workspace/paving/components.h"
-#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/paving/set_volume.h"
 #include "pkm_workspace/region/beyond_limits.h"
 
 namespace pkm_workspace
@@ -24,11 +24,13 @@ struct ComponentsReport
 struct PavingReport
 {
   Paving paving;
-  Interval measure;  ///< encloses the volume of the set in the box, of a flat box the area [m^dimension]; of a set
-                     ///< without factors more closely than the boxes do
+  SetVolume size;                              ///< of the set in the box, more closely than the boxes have it
   std::optional<JointReaches> reaches;         ///< over that set, where joint limits are left aside
   std::optional<ComponentsReport> components;  ///< where they are asked for
-  std::string ended_by;                        ///< "the time limit of 20 s"; empty where every box was looked at
+  std::string ended_by;                        ///< "the time limit of 20 s"; empty where all that was asked is known
+
+  bool complete() const { return ended_by.empty(); }
+  double seconds() const { return paving.seconds + size.seconds; }
 
   /// What is proved, and what that means for limits that are left aside.
   std::string message(const Machine& machine) const;
@@ -44,6 +46,8 @@ ComponentsReport reportComponents(const Machine& machine, const Paving& paving, 
 double defaultResolution(const Machine& machine, const PavingQuery& query);
 
 /// Paves, or goes on from an earlier paving.
-/// @throws std::invalid_argument as pave() and resume()
-PavingReport reportPaving(const Machine& machine, const PavingQuery& query, const Paving* earlier);
+/// @param wanted of the volume; its budget and progress are those of the query
+/// @throws std::invalid_argument as pave(), resume() and setVolume()
+PavingReport reportPaving(const Machine& machine, const PavingQuery& query, const Paving* earlier,
+                          VolumeQuery wanted = {});
 }  // namespace pkm_workspace
