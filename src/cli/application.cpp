@@ -36,6 +36,7 @@ const NamedCommand COMMANDS[] = {
   { "largest", "the largest region of a shape in which every point is dextrous", makeLargest },
   { "check", "whether every point of a given box is dextrous", makeCheck },
   { "path", "whether every point of a path of lines and arcs is dextrous", makePath },
+  { "place", "where a path or a part is dextrous with the largest margin, and how large it may be", makePlace },
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "connect", "whether a path in the set leads from one point to another", makeConnect },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },

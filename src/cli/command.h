@@ -63,6 +63,7 @@ std::unique_ptr<Command> makeEvaluate();
 std::unique_ptr<Command> makeLargest();
 std::unique_ptr<Command> makeCheck();
 std::unique_ptr<Command> makePath();
+std::unique_ptr<Command> makePlace();
 std::unique_ptr<Command> makePave();
 std::unique_ptr<Command> makeConnect();
 std::unique_ptr<Command> makeCompare();

@@ -3,10 +3,9 @@
 
 #include "command.h"
 #include "common_options.h"
-#include "job.h"
 #include "output.h"
 #include "path_answer.h"
-#include "path_text.h"
+#include "path_source.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/tasks/path.h"
 #include "progress.h"
@@ -52,21 +51,13 @@ public:
   void declare(Options& options) override
   {
     machine_.declare(options);
-    options.text("file", file_, "FILE", "file with the lines of the path, in metres, in the frame of the root link");
-    options.repeated("segment", "LINE", "one line of the path, in place of a file", [this](const Words& words) {
-      Problems problems;
-      path_.read(words[0], problems);
-      throwProblems(problems);
-    });
-    job_.declare(options);
-    declareRates(options);
+    source_.declare(options);
+    source_.declareRates(options, task_.rates, true);
     options.count("max-looks", task_.query.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
     options.flag("progress", progress_, PROGRESS_HELP);
     declareCriterion(options, criterion_, machine_);
-    options.check({ "file", "segment", "gcode" },
-                  [this, &options](Problems& problems) { finishPath(options.given("segment"), problems); });
   }
 
   Words warnings() const override { return machine_.warnings(); }
@@ -81,8 +72,8 @@ public:
     json["verdict"] = name(result.verdict);
     json["looks"] = result.looks;
     json["end"] = endName(result.end);
-    if (job_.isGiven())
-      job_.addTo(machine, json);
+    if (source_.job().isGiven())
+      source_.job().addTo(machine, json);
     else
     {
       json["tool_speed"] = report.query.tool_speed;
@@ -95,7 +86,7 @@ public:
       json["rates"] = ratesOf(report);
     json["message"] = report.message;
     Answer answer{ json, print(report) };
-    if (job_.isGiven())
+    if (source_.job().isGiven())
       return answer;
     answer.long_members["segments"] = [this](std::ostream& out) {
       writeList(
@@ -105,66 +96,35 @@ public:
   }
 
 private:
-  void declareRates(Options& options)
-  {
-    PathRatesTask& rates = task_.rates;
-    options.number("tool-speed", rates.tool_speed, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL },
-                   "constant speed of the tool along the path, at which the joints have to keep within their limits; "
-                   "without it, joint speeds are those for 1 m/s and are held against nothing");
-    options.flag("largest-feed", rates.largest_feed, "tell the largest feed without a tool speed, too");
-    options.flag("joint-speeds-off", rates.joint_speeds_off, "leave the velocity of the URDF aside");
-    options.legs("joint-acceleration-max", "A", "largest acceleration of a joint [m/s^2], > 0; without it, any",
-                 [&rates](const Words& words) {
-                   rates.joint_acceleration_max = readNumbers(words, Quantity{ "m/s^2", 0.0, false });
-                 });
-    options.check({ "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max" },
-                  [this, &rates](Problems& problems) {
-                    rates.steps_have_speeds = job_.isGiven();
-                    rates.validate(problems);
-                  });
-  }
-
   PathReport check()
   {
     Progress progress(progress_);
     task_.query.stop = stopOnSignalOrAfter(time_limit_);
     task_.stopped_by = [this] { return stoppedBy(time_limit_); };
-    if (job_.isGiven())
-      job_.describeTo(task_, progress);
+    if (source_.job().isGiven())
+      source_.job().describeTo(task_, progress);
     else
       describePath();
     PathReport report = checkPath(PointEvaluator(machine_.machine(), criterion_), task_);
-    if (job_.isGiven())
-      report.message = withRemark(report.message, job_.remark());
+    if (source_.job().isGiven())
+      report.message = withRemark(report.message, source_.job().remark());
     return report;
   }
 
   void describePath()
   {
-    task_.for_each = [this](const auto& use) { path_.handOver(use); };
+    task_.for_each = [this](const auto& use) { source_.text().handOver(use); };
     task_.tell = [this](const SegmentCheck& check) {
       checks_.emplace_back(check);
       if (check.rates)
         rates_.push_back(*check.rates);
     };
-    task_.place = [this](std::size_t segment) { return path_.place(segment); };
-  }
-
-  void finishPath(bool has_lines, Problems& problems)
-  {
-    if (int(!file_.empty()) + int(has_lines) + int(job_.isGiven()) > 1)
-      problems.push_back("the path is given twice");
-    else if (!file_.empty())
-      path_.readFile(file_, problems);
-    if (problems.empty() && path_.size() == 0 && !job_.isGiven())
-      problems.push_back((file_.empty() ? "" : file_ + " has no segment; ") +
-                         std::string("a path is missing: --file FILE, --gcode FILE, or --segment LINE for each line, "
-                                     "with one segment at least"));
+    task_.place = [this](std::size_t segment) { return source_.text().place(segment); };
   }
 
   Json segmentOf(std::size_t segment) const
   {
-    Json json = segmentJson(checks_[segment].check(), path_.place(segment));
+    Json json = segmentJson(checks_[segment].check(), source_.text().place(segment));
     if (!rates_.empty())
       json["rates"] = ratesJson(rates_[segment], machine_.machine());
     return json;
@@ -182,7 +142,7 @@ private:
 
   Json firstOf(const PathResult& result) const
   {
-    Json json = segmentJson(checks_[result.first->segment].check(), path_.place(result.first->segment));
+    Json json = segmentJson(checks_[result.first->segment].check(), source_.text().place(result.first->segment));
     json.erase("motion");
     json["open"] = Json::array();
     for (const PathPart& part : result.first->open)
@@ -197,16 +157,17 @@ private:
   {
     const PathResult& result = report.result;
     std::vector<Words> rows = { { "verdict", name(result.verdict) } };
-    if (job_.isGiven())
-      job_.addRows(rows);
+    if (source_.job().isGiven())
+      source_.job().addRows(rows);
     if (result.motion)
       addMotion(*result.motion, machine_.machine(), rows);
     if (result.rates)
       addRates(*result.rates, machine_.machine(), rows);
     rows.push_back({ "effort", std::to_string(result.looks) + " looks" });
-    const std::string size =
-        job_.isGiven() ? "a job" : std::to_string(checks_.size()) + (checks_.size() == 1 ? " segment" : " segments");
-    const std::string offences = job_.isGiven() ? job_.offences(machine_.machine()) : "";
+    const std::string size = source_.job().isGiven()
+                                 ? "a job"
+                                 : std::to_string(checks_.size()) + (checks_.size() == 1 ? " segment" : " segments");
+    const std::string offences = source_.job().isGiven() ? source_.job().offences(machine_.machine()) : "";
     return "Path of machine '" + machine_.machine().name() + "', " + size + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
            offences + (offences.empty() ? "" : "\n") + wrapped(report.message) +
            wrapped(definition(machine_.machine(), criterion_));
@@ -215,9 +176,7 @@ private:
   MachineOptions machine_;
   Criterion criterion_;
   PathTask task_;
-  PathText path_;
-  Job job_;
-  std::string file_;
+  PathSource source_;
   double time_limit_;
   bool progress_ = false;
   std::deque<KeptCheck> checks_;  ///< one for each segment

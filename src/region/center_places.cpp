@@ -28,9 +28,15 @@ ContainmentResult CenterSearch::certify(const Candidate& candidate)
 }
 
 /// Learns from a region that is refused. Along parallel rails a point is bad for other regions too if it is without
-/// joint limits, and then all along the rails. A bad point that no double is cannot be known, but its place in K can.
+/// joint limits, and then all along the rails. A bad point that no double is cannot be known, but its place in K can;
+/// of bodies that are not convex nothing else counts.
 void CenterSearch::learn(const Candidate& refused, const ContainmentResult& proof)
 {
+  if (proof.bad_place)
+  {
+    witnesses_.learnPlace(*proof.bad_place, refused.size);
+    return;
+  }
   const Eigen::Vector3d& bad_point = *proof.bad_point;
   if (query_.turns())
   {

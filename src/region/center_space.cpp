@@ -7,6 +7,7 @@
 
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
+#include "pkm_workspace/region/own_proof.h"
 #include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
@@ -64,7 +65,8 @@ Interval lengthWithin(const OuterBound& outer, const IntervalVector& v)
 }
 
 /// Two points k and k' of a region lie in an outer bound together only if |E (k - k')| <= 2 radius.
-double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
+/// @param slack how far the points may be from where they are told to be [m]
+double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds, double slack = 0.0)
 {
   SizeBound bound;
   const std::optional<Interval> slope = steepest(query.criterion);
@@ -78,13 +80,24 @@ double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bo
       const IntervalVector fixed = enclose(points[first].fixed) - enclose(points[second].fixed);
       const IntervalVector per_size = enclose(points[first].per_size) - enclose(points[second].per_size);
       for (const OuterBound& outer : reach)
-        bound.take(Interval(2.0) * outer.radius, lengthWithin(outer, fixed), lengthWithin(outer, per_size));
+        bound.take(Interval(2.0) * (outer.radius + Interval(slack)), lengthWithin(outer, fixed),
+                   lengthWithin(outer, per_size));
       for (std::size_t k = 0; k < 3; ++k)
         if (std::isfinite(bounds.upper[static_cast<int>(k)] - bounds.lower[static_cast<int>(k)]))
-          bound.take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]),
+          bound.take(Interval(bounds.upper[static_cast<int>(k)]) - Interval(bounds.lower[static_cast<int>(k)]) +
+                         Interval(2.0) * Interval(slack),
                      abs(fixed[k]), abs(per_size[k]));
     }
   return bound.value();
+}
+
+/// The same of a family whose slack grows with the size. Where none of that size is larger than the bound, none that is
+/// larger is: bodies are nested.
+double ownSizeBound(const OwnProof& own, const Machine& machine, const RegionQuery& query, const Box& bounds)
+{
+  const double most = 2.0 * sizeBound(machine, query, bounds) + 1.0;
+  const double bound = sizeBound(machine, query, bounds, own.slack(most));
+  return bound < most ? bound : INF;
 }
 
 /// A lower bound of |E R v| over all turns R about z.
@@ -134,8 +147,13 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
   CenterSpace space{ bounds, 0.0, std::nullopt };
   if (!bounds.isValid())
     return space;  // no point belongs to the set
-  space.size_bound = query.turns() ? turnedSizeBound(machine, query, bounds) : sizeBound(machine, query, bounds);
-  if (isFreeAlongRails(machine, query))
+  const OwnProof* const own = query.shape->ownProof();
+  space.size_bound = own             ? ownSizeBound(*own, machine, query, bounds)
+                     : query.turns() ? turnedSizeBound(machine, query, bounds)
+                                     : sizeBound(machine, query, bounds);
+  if (own)
+    space.centers = *query.search_box;
+  else if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
   else if (onlyJointsChangeAlongRails(machine, query.criterion) && (!query.turns() || runAlongAxis(machine, 2)))
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();

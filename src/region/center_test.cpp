@@ -34,12 +34,18 @@ ReasonTerm withForm(ReasonTerm term, const AffineForm<double>& form)
 
 CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses,
                        const RailTravel* travel, bool keeps_reasons)
-  : test_(test), shape_(shape), witnesses_(witnesses), travel_(travel), keeps_reasons_(keeps_reasons)
+  : test_(test)
+  , shape_(shape)
+  , witnesses_(witnesses)
+  , travel_(travel)
+  , own_(shape.ownProof())
+  , spheres_(own_ ? std::vector<StrutSphere>() : test.spheres())
+  , keeps_reasons_(keeps_reasons)
 {
   const GrowingVector extents = shape.halfExtents();
   for (int axis = 0; axis < 3; ++axis)
     is_flat_[static_cast<std::size_t>(axis)] = extents.fixed[axis] == 0.0 && extents.per_size[axis] == 0.0;
-  if (test.spheres().empty())
+  if (spheres_.empty())
     return;
   const std::vector<GrowingVector> extremes = shape.extremePoints();
   for (std::size_t k = 0; k < extremes.size(); ++k)
@@ -252,6 +258,8 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size, con
 /// By one form, as far as they are known before there are cuts: those that do not are kept.
 std::optional<Closing> CenterTest::excludesAlone(const Box& centers, double size, const BoxKernel& kernel)
 {
+  if (own_ && own_->refutes(test_, centers, size))
+    return Closing::FORM;
   if (!turning_ && addKnown(centers, size))
     return Closing::BAD_POINT;
   necessary_.resize(witnesses_.ofShape().size());
@@ -262,7 +270,7 @@ std::optional<Closing> CenterTest::excludesAlone(const Box& centers, double size
   for (std::size_t k = 0; k < necessary_.size() && !excluded; ++k)
     excluded = addNecessary(k);
   excluded = excluded || (travel_ && addTravel(centers, size)) ||
-             std::any_of(test_.spheres().begin(), test_.spheres().end(),
+             std::any_of(spheres_.begin(), spheres_.end(),
                          [&](const StrutSphere& sphere) { return addSphere(sphere, centers, size); });
   return excluded ? std::make_optional(Closing::FORM) : std::nullopt;
 }

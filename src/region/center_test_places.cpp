@@ -15,6 +15,8 @@ void CenterTest::place(const Box& centers, double size, const Interval& angles)
   {
     turning_.reset();
     box_ = CenteredBox<double>(centers);
+    if (own_)
+      box_.slack = own_->slack(size);
     return;
   }
   turning_.emplace(centers, angles, size, places_);

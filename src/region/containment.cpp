@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "cut_off.h"
 #include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/region/bad_point.h"
@@ -21,41 +22,6 @@ constexpr int DESCENT_STEPS = 8;
 constexpr std::int64_t LONG_PROOF = 1024;
 /// Parts that are looked at side by side.
 constexpr std::size_t BATCH = 8;
-/// The thinnest and the thickest slab that is cut off a part, as shares of its widest side. Chosen by counting boxes.
-constexpr double LEAST_CUT = 1.0 / 16.0;
-constexpr double MOST_CUT = 0.5;
-constexpr double SAFETY = 0.9;  ///< 0.5 would be enough if the form said it all
-
-/// Where to divide a part that is undecided.
-struct Cut
-{
-  int axis;
-  double plane;
-};
-
-/// The form is negative in one corner of the part. Cutting off a slab that holds this corner leaves a part on which the
-/// form is positive: across the axis where the slab is thinnest, unless that is not thin at all.
-Cut cutOff(const Box& part, const AffineForm<double>& form)
-{
-  const int widest = part.widestAxis();
-  Cut cut{ widest, part.center()[widest] };
-  double thinnest = MOST_CUT;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double slope = form.gradient[static_cast<std::size_t>(axis)];
-    if (slope == 0.0 || !part.canBisect(axis))
-      continue;
-    const double narrow = part.width(widest) / part.width(axis);
-    const double share = narrow * std::max(LEAST_CUT, -SAFETY * form.lower() / std::abs(slope));
-    if (share >= thinnest)
-      continue;
-    thinnest = share;
-    const double depth = share / narrow * part.width(axis);
-    cut = { axis, slope > 0.0 ? part.lower[axis] + depth : part.upper[axis] - depth };
-  }
-  return cut;
-}
-
 /// The axis of a cylinder along parallel rails, or -1. Nothing but joint values changes along it, and these in
 /// proportion, so that parts need not be divided there.
 int wholeAxis(const BoxTest& test, const Shape& shape)

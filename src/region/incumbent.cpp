@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "pkm_workspace/region/own_proof.h"
 #include "pkm_workspace/region/turned_region.h"
 
 namespace pkm_workspace
@@ -33,7 +34,8 @@ Incumbent::Incumbent(const Machine& machine, const BoxTest& test, const RegionQu
 
 std::int64_t Incumbent::allowedBoxes(double size) const
 {
-  const bool may_be_long = !query_.shape->isBox() && size < given_up_ - LESS * query_.accuracy;
+  const bool may_be_long =
+      !query_.shape->isBox() && query_.shape->ownProof() == nullptr && size < given_up_ - LESS * query_.accuracy;
   return std::min(may_be_long ? ROUND_VERIFICATION_BOXES : VERIFICATION_BOXES, most_ / VERIFICATIONS + 1);
 }
 
@@ -60,15 +62,21 @@ ContainmentResult Incumbent::checkTurned(const Candidate& region, const Budget& 
   }
 }
 
+ContainmentResult Incumbent::check(const Candidate& region, const Budget& budget) const
+{
+  if (const OwnProof* own = query_.shape->ownProof())
+    return own->prove(test_, region.center, region.size, budget);
+  return query_.turns() ? checkTurned(region, budget)
+                        : checkContainment(test_, *query_.shape, region.center, region.size, budget);
+}
+
 ContainmentResult Incumbent::certify(const Candidate& region)
 {
   if (!asksFor(region.size))
     return {};
   Budget budget = budget_.rest();
   budget.max_boxes = allowedBoxes(region.size);
-  const ContainmentResult proof = query_.turns()
-                                      ? checkTurned(region, budget)
-                                      : checkContainment(test_, *query_.shape, region.center, region.size, budget);
+  const ContainmentResult proof = check(region, budget);
   boxes_ += proof.boxes;
   if (proof.verdict == Containment::INSIDE)
   {

@@ -26,6 +26,7 @@ LocalSearch::LocalSearch(const BoxTest& test, const Shape& shape, const WitnessP
   , centers_(centers)
   , angles_(angles)
   , travel_(travel)
+  , spheres_(shape.ownProof() ? std::vector<StrutSphere>() : test.spheres())
   , scale_(std::sqrt(test.model().legs().squaredScale()))
   , reach_(shape.halfExtents().per_size.maxCoeff())
 {}
@@ -55,7 +56,7 @@ bool LocalSearch::reachesInto(const StrutSphere& sphere, const Candidate& candid
 double LocalSearch::excessOf(const Candidate& candidate) const
 {
   double excess = 0.0;
-  for (const StrutSphere& sphere : test_.spheres())
+  for (const StrutSphere& sphere : spheres_)
     if (reachesInto(sphere, candidate))
       for (const Eigen::Vector3d& point :
            pointsOf(candidate.placesOf(witnesses_.ofShape()), candidate.center, candidate.size))
@@ -72,7 +73,7 @@ void LocalSearch::addSpheres(double trust)
 {
   CenteredBox<double> box(Box{ from_.center, from_.center });
   box.half_widths.fill(DIFFERENCE * scale_);
-  for (const StrutSphere& sphere : test_.spheres())
+  for (const StrutSphere& sphere : spheres_)
     if (reachesInto(sphere, from_))
       for (std::size_t k = 0; k < places_.size(); ++k)
       {

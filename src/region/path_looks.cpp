@@ -27,6 +27,18 @@ void JointRateLimits::validate(Problems& problems) const
   complainOfLimits("joint_acceleration_max = ", acceleration, " m/s^2 must be > 0, or infinite for none", problems);
 }
 
+BoxVerdict verdictOn(const PieceRates& rates, const JointRateLimits& limits, const Interval& tool_speed)
+{
+  bool keeps = true;
+  bool breaks = false;
+  forEachLimit(limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
+    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind, tool_speed);
+    keeps = keeps && rate.upper() <= limit;
+    breaks = breaks || rate.lower() > limit;
+  });
+  return breaks ? BoxVerdict::OUTSIDE : keeps ? BoxVerdict::INSIDE : BoxVerdict::UNDECIDED;
+}
+
 PathLooks::PathLooks(const BoxKernel& kernel, const PathQuery& query)
   : kernel_(kernel), query_(query), holds_(query.holds_limits && query.limits.any())
 {}
@@ -73,20 +85,11 @@ void PathLooks::ratesOf(const Pieces& pieces, const WaySpan* spans, std::size_t 
   kernel_.rates(pieces.data(), curvatures.data(), count, rates);
 }
 
-/// Every point of a piece is bad where one rate is above its limit at all of them.
 void PathLooks::hold(const PieceRates& rates, const Interval& tool_speed, BoxVerdict& verdict) const
 {
-  bool keeps = true;
-  bool breaks = false;
-  forEachLimit(query_.limits, [&](Limit::Kind kind, std::size_t leg, double limit) {
-    const Interval rate = atSpeed(rateOf(rates, kind, leg), kind, tool_speed);
-    keeps = keeps && rate.upper() <= limit;
-    breaks = breaks || rate.lower() > limit;
-  });
-  if (breaks)
-    verdict = BoxVerdict::OUTSIDE;
-  else if (!keeps && verdict == BoxVerdict::INSIDE)
-    verdict = BoxVerdict::UNDECIDED;
+  const BoxVerdict held = verdictOn(rates, query_.limits, tool_speed);
+  if (held == BoxVerdict::OUTSIDE || verdict == BoxVerdict::INSIDE)
+    verdict = held;
 }
 
 std::vector<Limit> PathLooks::limitsAt(const Way& way, double t) const

@@ -43,6 +43,10 @@ inline const Span<double>& rateOf(const PieceRates& rates, Limit::Kind kind, std
   return kind == Limit::Kind::JOINT_SPEED ? rates.speed[leg] : rates.acceleration[leg];
 }
 
+/// What rates for a tool speed of 1 m/s mean at another one: INSIDE where each point of a piece keeps all limits,
+/// OUTSIDE where one limit is broken at all of them.
+BoxVerdict verdictOn(const PieceRates& rates, const JointRateLimits& limits, const Interval& tool_speed);
+
 /// What many looks have in common.
 class PathLooks
 {

@@ -16,7 +16,7 @@ WitnessPoints::WitnessPoints(const Shape& shape, const Criterion& criterion)
   : shape_(shape), extremes_(shape.extremePoints().size()), of_shape_(shape.extremePoints())
 {
   for (const Zone& zone : criterion.zones)
-    if (zone.use == Zone::Use::KEEP_OUT)
+    if (zone.use == Zone::Use::KEEP_OUT && shape.ownProof() == nullptr)
       keep_out_.push_back(enclosed(zone, criterion.tool_radius));
 }
 
@@ -59,10 +59,12 @@ void WitnessPoints::learn(const Eigen::Vector3d& center, double size, const Eige
 
 void WitnessPoints::learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& point)
 {
-  const auto place = shape_.placeOf(point - center, size);
-  if (!place)
-    return;
-  const GrowingVector& k = *place;
+  if (const auto place = shape_.placeOf(point - center, size))
+    learnPlace(*place, size);
+}
+
+void WitnessPoints::learnPlace(const GrowingVector& k, double size)
+{
   const double least = LEAST_DISTANCE * shape_.halfExtents().at(size).maxCoeff();
   for (std::size_t known = extremes_; known < of_shape_.size(); ++known)
     if ((of_shape_[known] - k).at(size).cwiseAbs().maxCoeff() < least)

@@ -15,22 +15,28 @@ std::array<double, 3> forEachJoint(const std::vector<double>& values)
   return { at(0), at(1), at(2) };
 }
 
-/// @param criterion tells the largest speeds of joints that are meant in place of the machine's
 void setRates(const PathRatesTask& rates, const Machine& machine, const Criterion& criterion, PathQuery& query)
 {
-  Problems problems;
-  rates.validate(problems);
-  throwProblems(problems);
+  query.limits = limitsOf(rates, machine, criterion);
   query.tool_speed = rates.tool_speed.value_or(query.tool_speed);
   query.holds_limits = rates.isHeld();
   query.steps_have_speeds = rates.steps_have_speeds;
   query.wants_rates = rates.isAsked();
-  for (std::size_t i = 0; i < 3 && !rates.joint_speeds_off; ++i)
-    query.limits.speed[i] = criterion.joint_speed_max[i] > 0.0 ? criterion.joint_speed_max[i] : machine.legs()[i].speed;
-  if (!rates.joint_acceleration_max.empty())
-    query.limits.acceleration = forEachJoint(rates.joint_acceleration_max);
 }
 }  // namespace
+
+JointRateLimits limitsOf(const PathRatesTask& rates, const Machine& machine, const Criterion& criterion)
+{
+  Problems problems;
+  rates.validate(problems);
+  throwProblems(problems);
+  JointRateLimits limits;
+  for (std::size_t i = 0; i < 3 && !rates.joint_speeds_off; ++i)
+    limits.speed[i] = criterion.joint_speed_max[i] > 0.0 ? criterion.joint_speed_max[i] : machine.legs()[i].speed;
+  if (!rates.joint_acceleration_max.empty())
+    limits.acceleration = forEachJoint(rates.joint_acceleration_max);
+  return limits;
+}
 
 void PathRatesTask::validate(Problems& problems) const
 {

@@ -6,6 +6,7 @@ import re
 import claims
 import connection_claims
 import guarantee_claims
+import placement_claims
 import rate_claims
 import table_claims
 from claims import BRACKET, QUALITY
@@ -65,6 +66,7 @@ CLAIMS = {
                     r"(?: (?P<remark>Joint limits are off: .*))?", rate_claims.inside),
     "path too fast": (rate_claims.FAST, rate_claims.too_fast),
     "path leaves": (LEAVES, rate_claims.leaves),
+    "placement": (placement_claims.PLACEMENT, placement_claims.placement),
     "volume": (VOLUME, claims.volume),
     "components": (connection_claims.COMPONENTS, connection_claims.components),
     "connected": (connection_claims.CONNECTED, connection_claims.connected),

@@ -10,6 +10,7 @@
 #include "pkm_workspace/interval/turning.h"
 #include "pkm_workspace/region/candidate.h"
 #include "pkm_workspace/region/linear_programme.h"
+#include "pkm_workspace/region/own_proof.h"
 #include "pkm_workspace/region/rail_travel.h"
 #include "pkm_workspace/region/reason.h"
 #include "pkm_workspace/region/witness_points.h"
@@ -86,8 +87,10 @@ private:
   const Shape& shape_;
   const WitnessPoints& witnesses_;
   const RailTravel* travel_;
-  std::array<bool, 3> is_flat_;            ///< whether regions have no thickness along this axis
-  std::vector<NecessaryForms> necessary_;  ///< one for each witness point
+  const OwnProof* own_;                     ///< of bodies that are not convex, or nullptr
+  const std::vector<StrutSphere> spheres_;  ///< none of those
+  std::array<bool, 3> is_flat_;             ///< whether regions have no thickness along this axis
+  std::vector<NecessaryForms> necessary_;   ///< one for each witness point
   std::vector<TurningForm> forms_;
   std::vector<AffineForm<double>> travel_forms_;
   std::vector<GrowingVector> between_;  ///< points of the family, exactly, between its extreme points

@@ -23,6 +23,8 @@ struct ContainmentResult
   /// With OUTSIDE: a point of the region that is proved to be bad, or no further from one than bad_within [m].
   std::optional<Eigen::Vector3d> bad_point;
   double bad_within = 0.0;  ///< above 0 where two struts are one vector at the bad point, a singularity [m]
+  /// With OUTSIDE, of bodies that are not convex: where in the family that point is.
+  std::optional<GrowingVector> bad_place;
   /// With UNDECIDED: the border of the set is within rounding of the region, and no budget would settle it.
   bool is_within_rounding = false;
   std::int64_t boxes = 0;  ///< boxes looked at

@@ -33,6 +33,7 @@ public:
 
 private:
   std::int64_t allowedBoxes(double size) const;
+  ContainmentResult check(const Candidate& region, const Budget& budget) const;
   ContainmentResult checkTurned(const Candidate& region, const Budget& budget) const;
 
   const Machine& machine_;

@@ -62,11 +62,12 @@ private:
   Box centers_;
   Interval angles_;
   const RailTravel* travel_;
-  double scale_;                  ///< the longest strut [m]
-  double reach_;                  ///< how the largest half extent grows with the size
-  double slack_ = 0.0;            ///< largest violation that the programme may leave [m]
-  Candidate from_;                ///< that the programme is about
-  double turn_ = 0.0;             ///< largest turn that it may propose [rad]
+  std::vector<StrutSphere> spheres_;  ///< none of bodies that are not convex
+  double scale_;                      ///< the longest strut [m]
+  double reach_;                      ///< how the largest half extent grows with the size
+  double slack_ = 0.0;                ///< largest violation that the programme may leave [m]
+  Candidate from_;                    ///< that the programme is about
+  double turn_ = 0.0;                 ///< largest turn that it may propose [rad]
   LinearProgramme<6> programme_;  ///< unknowns: steps of center, size and violation in units of the trust region; turn
   std::vector<GrowingVector> places_;      ///< of the witness points, at that candidate
   std::vector<Eigen::Vector3d> bad_;       ///< those near to it

@@ -14,6 +14,8 @@
 
 namespace pkm_workspace
 {
+class OwnProof;
+
 /// A circle across the axis z.
 struct Circle
 {
@@ -89,6 +91,8 @@ public:
   /// The family of the same bodies, each moved along z until the middle of its lowest face is the center of its region;
   /// nothing where they have none.
   virtual std::shared_ptr<const Shape> standing() const { return nullptr; }
+  /// Of bodies that are not convex; nullptr where they are.
+  virtual const OwnProof* ownProof() const { return nullptr; }
 };
 
 /// A point near the given one that is proved to lie in c + K(h), if there is such a double.

@@ -35,6 +35,9 @@ public:
   /// The same where the point is bad for this region only.
   void learnPlace(const Eigen::Vector3d& center, double size, const Eigen::Vector3d& bad_point);
 
+  /// The same where it is known which place of the family that is.
+  void learnPlace(const GrowingVector& place, double size);
+
   /// The point is proved to be bad [m].
   void learn(const Eigen::Vector3d& bad_point);
 

@@ -29,6 +29,10 @@ struct PathRatesTask
   void validate(Problems& problems) const;
 };
 
+/// What the joints are held against: the largest speeds that the criterion has in place of the machine's, and these.
+/// @throws std::invalid_argument when the rates are not valid
+JointRateLimits limitsOf(const PathRatesTask& rates, const Machine& machine, const Criterion& criterion);
+
 /// A path, and what is asked of it besides its criterion.
 struct PathTask
 {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/report/placement_sentence.h"
+
+#include "pkm_workspace/dexterity/criterion_text.h"
+#include "pkm_workspace/interval/decimal.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+std::string pieceOf(const PlacementQuery& query)
+{
+  return query.workpiece->solid ? "part" : "path";
+}
+
+/// "every point of the path is dextrous, and the joints keep within their limits of speed and acceleration".
+std::string goodness(const PlacementQuery& query)
+{
+  return "every point of the " + pieceOf(query) + " is " + quality(query.criterion) +
+         (query.limits.any() ? ", and the joints keep within their limits of speed and acceleration" : "");
+}
+
+std::string marginSentence(const LargestRegion& found, const PlacementQuery& query)
+{
+  const int decimals = decimalsFor(found.size, found.size_upper_bound);
+  const std::string above = roundedUp(found.size_upper_bound, decimals) + " m.";
+  if (found.size > 0.0)
+    return "Proved: with this translation, and moved from there by up to " + roundedDown(found.size, decimals) +
+           " m along each axis, " + goodness(query) + "; no translation that may be chosen has a margin above " + above;
+  if (found.size_upper_bound == 0.0)
+    return "Proved: there is no translation that may be chosen with which " + goodness(query) + ".";
+  return "Proved: no translation that may be chosen has a margin above " + above +
+         " Whether one has any is not decided.";
+}
+
+std::string scaleSentence(const LargestScale& largest, const PlacementQuery& query)
+{
+  const int decimals = decimalsFor(largest.scale, largest.upper_bound);
+  const std::string good = "every point of the " + pieceOf(query) + " is " + quality(query.criterion);
+  const std::string from = " at all scales from " + exact(largest.least) + " to ";
+  const std::string bound = roundedUp(largest.upper_bound, decimals);
+  if (largest.scale == 0.0)
+    return " Proved: no translation is such that " + good + from + "one above " + bound + ".";
+  const Eigen::Vector3d& t = largest.translation;
+  return " Proved: moved by (" + exact(t.x()) + ", " + exact(t.y()) + ", " + exact(t.z()) + ") m, " + good + from +
+         roundedDown(largest.scale, decimals) + "; no translation that may be chosen allows one above " + bound + ".";
+}
+}  // namespace
+
+std::string describe(const Placement& placement, const PlacementQuery& query)
+{
+  return marginSentence(placement.found, query) + (placement.largest ? scaleSentence(*placement.largest, query) : "");
+}
+}  // namespace pkm_workspace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pkm_workspace/tasks/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/region/path.h"
+#include "pkm_workspace/region/polytope.h"
+#include "pkm_workspace/report/placement_sentence.h"
+
+namespace pkm_workspace
+{
+namespace
+{
+using Eigen::Vector3d;
+
+std::shared_ptr<Workpiece> movesOf(const PlacementTask& task)
+{
+  auto workpiece = std::make_shared<Workpiece>();
+  const Interval speed(task.rates.isHeld() ? task.rates.tool_speed.value_or(0.0) : 0.0);
+  task.for_each([&](const PathStep& step) {
+    const Interval own = task.rates.isHeld() ? step.tool_speed.value_or(speed) : Interval(0.0);
+    workpiece->moves.add(step.segment.curve(), own);
+  });
+  if (workpiece->moves.size() == 0)
+    throw std::invalid_argument("there is nothing to be placed: the path has no segment");
+  workpiece->moves.close();
+  return workpiece;
+}
+
+/// The middle of its bounds, or of their lowest face.
+Vector3d referenceOf(const PlacementTask& task, const Box& bounds)
+{
+  Vector3d middle = bounds.center();
+  if (task.base_z)
+    middle.z() = bounds.lower.z();
+  return task.reference.value_or(middle);
+}
+
+/// The mean of the vertices, or of the lowest ones: a point of the part.
+Vector3d referenceOf(const PlacementTask& task)
+{
+  double lowest = INF;
+  for (const Vector3d& vertex : task.vertices)
+    lowest = std::min(lowest, vertex.z());
+  Vector3d sum = Vector3d::Zero();
+  double count = 0.0;
+  for (const Vector3d& vertex : task.vertices)
+    if (!task.base_z || vertex.z() == lowest)
+    {
+      sum += vertex;
+      count += 1.0;
+    }
+  Vector3d mean = sum / count;
+  if (task.base_z)
+    mean.z() = lowest;
+  return task.reference.value_or(mean);
+}
+
+/// As seen from the reference.
+ShapePtr solidOf(std::vector<Vector3d> vertices, const Vector3d& reference)
+{
+  for (Vector3d& vertex : vertices)
+    vertex -= reference;
+  try
+  {
+    return makePolytope(vertices);
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    throw std::invalid_argument("the part, seen from its reference (" + exact(reference.x()) + ", " +
+                                exact(reference.y()) + ", " + exact(reference.z()) + ") m: " + reason.what());
+  }
+}
+
+std::shared_ptr<Workpiece> partOf(const PlacementTask& task)
+{
+  auto workpiece = std::make_shared<Workpiece>();
+  workpiece->reference = referenceOf(task);
+  workpiece->solid = solidOf(task.vertices, workpiece->reference);
+  return workpiece;
+}
+
+std::shared_ptr<Workpiece> workpieceOf(const PlacementTask& task)
+{
+  if (!task.vertices.empty())
+    return partOf(task);
+  std::shared_ptr<Workpiece> workpiece = movesOf(task);
+  workpiece->reference = referenceOf(task, workpiece->bounds());
+  return workpiece;
+}
+
+/// Leaves one height.
+void standOn(double base_z, double lowest, PlacementQuery& query)
+{
+  if (!(std::abs(base_z) <= FARTHEST))
+    throw std::invalid_argument("base_z = " + exact(base_z) + " m must be finite, within 1e9 m");
+  Box translations = query.translations.value_or(Box{ Vector3d::Constant(-FARTHEST), Vector3d::Constant(FARTHEST) });
+  const double z = base_z - lowest;
+  if (!(translations.lower.z() <= z && z <= translations.upper.z()))
+    throw std::invalid_argument("base_z = " + exact(base_z) + " m asks for a translation by " + exact(z) +
+                                " m along z, and that is not one of those that may be chosen, from " +
+                                exact(translations.lower.z()) + " to " + exact(translations.upper.z()) + " m");
+  translations.lower.z() = translations.upper.z() = z;
+  query.translations = translations;
+}
+}  // namespace
+
+PlacementReport place(const Machine& machine, const PlacementTask& task)
+{
+  PlacementReport report;
+  report.query = task.query;
+  const JointRateLimits limits = limitsOf(task.rates, machine, task.query.criterion);
+  if (task.rates.isHeld())
+    report.query.limits = limits;
+  const std::shared_ptr<Workpiece> workpiece = workpieceOf(task);
+  report.query.workpiece = workpiece;
+  if (task.base_z)
+    standOn(*task.base_z, workpiece->lowest(), report.query);
+  report.placement = findPlacement(machine, report.query);
+  report.message =
+      withRemark(describe(report.placement, report.query), remarkOnLimits(machine, task.query.criterion, std::nullopt));
+  return report;
+}
+}  // namespace pkm_workspace
