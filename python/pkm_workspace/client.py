@@ -35,7 +35,7 @@ from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceG
                                ToolSegment, ToolZone)
 from pkm_workspace.srv import (CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion, CheckRegionRequest,
                                ComputeLargestRegion, ComputeWorkspace, EvaluatePoint, EvaluatePointRequest, GetRegion,
-                               SetCriterion, SetCriterionRequest)
+                               PlacePath, PlacePathRequest, SetCriterion, SetCriterionRequest)
 from shape_msgs.msg import SolidPrimitive
 from std_msgs.msg import Header
 
@@ -261,6 +261,12 @@ class Client:
         number or three [m/s^2]), joint_speeds_off, largest_feed."""
         return self.call("check_path", CheckPath,
                          fill(CheckPathRequest(segments=segments), criterion, frame, **fields))
+
+    def place_path(self, segments, frame="", criterion=None, **fields):
+        """Where to put a path, with the largest margin. Its keywords: box (two corners of the translations that may be
+        chosen), tool_speed, joint_acceleration_max, joint_speeds_off as above, largest_scale, accuracy, time_limit."""
+        return self.call("place_path", PlacePath,
+                         fill(PlacePathRequest(segments=segments), criterion, frame, **fields))
 
     def evaluate(self, point, frame="", criterion=None, **fields):
         """How the machine stands at a point."""

@@ -17,6 +17,7 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
   , singularities_(context_)
   , conditioning_(context_)
   , guarantee_(context_)
+  , placement_(context_)
   , comparisons_(context_)
   , planning_(context_)
   , criterion_(context_,

@@ -21,6 +21,7 @@ class Case(SimpleNamespace):
     definition = None  # a text with the criterion
     region = size = bad_point = point = None
     segments = None  # of a path: name, start, end
+    place = None  # of a path that is moved
     tool_speed = None  # along it, and the accelerations that are allowed there
     joint_acceleration_max = math.inf
     findings = None  # on singularities: serial or parallel, joint or "", status, point or None, bounds of the least

@@ -49,7 +49,7 @@ def is_bad(case, place, margin, scale=1):
 def is_slow(case, place):
     """Whether the joints keep their speeds, at the speed of the tool that was asked for."""
     limits = rate_claims.Limits(case)
-    speed = float(case.words[case.words.index("--tool-speed") + 1])
+    speed = case.tool_speed or float(case.words[case.words.index("--tool-speed") + 1])
     return all(rate_claims.least_feed(case, segment, limits) >= speed * (1 - 1e-5) for segment in moved(case, place))
 
 
@@ -66,7 +66,7 @@ def placement(case, match):
     span = case.machine.span
     margin, bound = 0, None
     if match["placed"]:
-        place = numbers(row(case.text, "translation"))
+        place = case.place or numbers(row(case.text, "translation"))
         margin, bound = (float(x) for x in (match["placed"].split("up to ")[1].split()[0],
                                             match["placed"].split("margin above ")[1].split()[0]))
         hold(0 < margin <= bound, margin, "is above", bound)

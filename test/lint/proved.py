@@ -25,11 +25,11 @@ COVERED = {
     " the joints are proved to keep within their limits.": {COMMAND: ("path inside", ), NODE: ("path inside", )},
     "The largest feed is proved to be ": {COMMAND: ("path inside", "path too fast"),
                                           NODE: ("path inside", "path too fast")},
-    "Proved: with this translation, and moved from there by up to ": {COMMAND: ("placement", )},
-    "Proved: there is no translation that may be chosen with which ": {COMMAND: ("placement", )},
-    "Proved: no translation that may be chosen has a margin above ": {COMMAND: ("placement", )},
-    " Proved: no translation is such that ": {COMMAND: ("placement", )},
-    " Proved: moved by (": {COMMAND: ("placement", )},
+    "Proved: with this translation, and moved from there by up to ": {COMMAND: ("placement", ), NODE: ("placement", )},
+    "Proved: there is no translation that may be chosen with which ": {COMMAND: ("placement", ), NODE: ("placement", )},
+    "Proved: no translation that may be chosen has a margin above ": {COMMAND: ("placement", ), NODE: ("placement", )},
+    " Proved: no translation is such that ": {COMMAND: ("placement", ), NODE: ("placement", )},
+    " Proved: moved by (": {COMMAND: ("placement", ), NODE: ("placement", )},
     "Neither is proved: ": {COMMAND: ("nothing", ), NODE: ("nothing", )},
     "Neither is proved: the border of the set is within rounding of the point, where ": {COMMAND: ("nothing", ),
                                                                                          NODE: ("nothing", )},
@@ -61,7 +61,7 @@ COVERED = {
     "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, ": HELP,
     "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all ": HELP,
 }
-COMMAND_ONLY = ("src/cli/", "src/report/connection_sentence.", "src/report/placement_sentence.")
+COMMAND_ONLY = ("src/cli/", "src/report/connection_sentence.")
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 SAYS, BEGINS = r"\b[Pp]rove[dn]?\b", r"Proved|proved:|Neither"
 

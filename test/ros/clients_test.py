@@ -64,6 +64,24 @@ class ClientsTest(unittest.TestCase):
             self.assertEqual([*rates.acceleration_max], [1, 1, 1])
             self.assertGreater(rates.feed.lower, 0)
 
+    def test_places_paths(self):
+        way = [line((5, 0, 0), (5.2, 0, 0)), arc((5.2, 0, 0), (5.1, 0.1, 0), (5, 0, 0))]
+        found = self.machine.place_path(way, largest_scale=True, tool_speed=0.1)
+        self.assertEqual(found.status, found.PROVEN)
+        self.assertLess(0.1, found.margin)
+        self.assertLessEqual(found.margin, found.margin_upper_bound)
+        self.assertLessEqual(1, found.scale)
+        self.assertLessEqual(found.scale, found.scale_upper_bound)
+        shift = found.translation
+        there = [line(*([p.x + shift.x, p.y + shift.y, p.z + shift.z] for p in (way[0].start, way[0].end)))]
+        self.assertEqual(self.machine.check_path(there, tool_speed=0.1).verdict, Client.INSIDE)
+        far = self.machine.place_path(way, box=((0, 0, 0), (1, 1, 1)))
+        self.assertEqual((far.status, far.margin_upper_bound), (far.NONE, 0))
+        with self.assertRaisesRegex(Refused, "accuracy"):
+            self.machine.place_path(way, accuracy=-1)
+        with self.assertRaisesRegex(Refused, "joint_speeds_off"):
+            self.machine.place_path(way, joint_speeds_off=True)
+
     def test_sets_the_criterion(self):
         self.assertEqual(self.machine.set_criterion(psi_min=0.4, accuracy=0.02).psi_min, 0.4)
         said = self.machine.largest_region().hypotheses

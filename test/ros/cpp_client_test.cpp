@@ -54,6 +54,21 @@ TEST(Client, checksArcsAndHelices)
   EXPECT_EQ(1.0, feed.rates.acceleration_max[2]);
 }
 
+TEST(Client, placesPaths)
+{
+  Client machine;
+  const auto found = machine.placePath({ line({ 5, 0, 0 }, { 5.2, 0, 0 }) }, with::largest_scale(),
+                                       with::tool_speed(0.1), with::accuracy(0.01));
+  EXPECT_EQ(PlacePath::Response::PROVEN, found.status);
+  EXPECT_LE(found.margin, found.margin_upper_bound);
+  EXPECT_LE(found.margin_upper_bound, found.margin + 0.01);
+  EXPECT_LE(1.0, found.scale);
+  const double x = found.translation.x;
+  const double y = found.translation.y;
+  const double z = found.translation.z;
+  EXPECT_EQ(machine.INSIDE, machine.checkLine({ { 5 + x, y, z }, { 5.2 + x, y, z } }, with::tool_speed(0.1)).verdict);
+}
+
 TEST(Client, followsGoals)
 {
   Client machine;

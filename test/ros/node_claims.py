@@ -11,13 +11,13 @@ from claims import criterion_of
 from reasons import N, hold
 
 QUESTION = (r"(?P<question>(?:largest|paving of all points that are|singularities of|global conditioning index of|"
-            r"comparison by the largest) .*)")
+            r"comparison by the largest|placement of a path whose points are) .*)")
 REMARK = r"(?: (?P<remark>Joint limits are off: .*))?"
 SIDES = r"(?P<x>\S+) x (?P<y>\S+) x (?P<z>\S+) m\n"
 BINDS = r"(?P<kind>reach|joint_lower|joint_upper|aspect|psi_min|psi_max)(?: of (?P<joint>\w+))?"
 EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
-              "path inside", "path leaves", "path too fast", "singularities")
+              "path inside", "path leaves", "path too fast", "placement", "singularities")
 
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
@@ -43,6 +43,7 @@ CLAIMS = {
     "set told": (sentences.VOLUME + EFFORT, answers.set_told),
     "singularities told": (r"(?P<sentence>.*\.)(?: \S+ s)?", answers.singularities_told),
     "mean told": (rf"(?P<sentence>{sentences.MEAN})(?: \S+ s)?", answers.mean_told),
+    "placement told": (re.sub(r"[?]P<[a-z_]+>", "?:", sentences.CLAIMS["placement"][0]) + r"(?: \S+ s)?", None),
     "comparison told": (r"\d+ machines were compared\.", None),
     "wide told": (r"the bounds are wider than asked: .*", None),
     "other": (r"(?!.*prove).*", None),  # of the URDF, and of the boxes in a picture
@@ -67,6 +68,7 @@ RARE = {"singular point", "box undecided", "wide told", "tool elsewhere"}  # may
 SOURCES = {
     "check_region": ("inside", "remark", "bad point", "singular point", "nothing"),
     "check_path": ("path inside", "path leaves", "path too fast", "nothing"),
+    "place_path": ("placement", ),
     "evaluate_point": ("good point", "no good point", "nothing"),
     "compute_largest_region": REGION,
     "find_largest_region": REGION,
@@ -78,7 +80,8 @@ SOURCES = {
     "find_singularities": ("singularities", ),
     "compare_machines": ("comparison", ),
     "set_criterion": ("asked", ),
-    "answer": ("region told", "set told", "mean told", "comparison told", "singularities told", "guarantees"),
+    "answer": ("region told", "set told", "mean told", "comparison told", "placement told",
+               "singularities told", "guarantees"),
     "log": ("wide told", "other"),
     "markers": ("label", "stroke", "caption"),
     "workspace_markers": ("caption", ),

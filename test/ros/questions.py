@@ -14,6 +14,7 @@ from node_claims import definition_of
 from node_process import PATIENCE, wait_until
 from node_questions import solid
 from oracle import Machine, Region
+from pkm_workspace.client import line
 from pkm_workspace.msg import Bounds, CriterionRequest, ErrorCode, RegionRequest
 from pkm_workspace.srv import (CheckRegion, CheckRegionRequest, CompareMachines, CompareMachinesRequest,
                                ComputeConditioning, ComputeConditioningRequest, ComputeGuarantees,
@@ -49,7 +50,7 @@ class Questions:
 
     def ask(self, node):
         for questions in (self.points, self.regions, self.paths, self.largest, self.goals, self.pavings,
-                          self.singularities, self.means, self.guarantees, self.tools, self.criteria):
+                          self.singularities, self.means, self.guarantees, self.placements, self.tools, self.criteria):
             questions(node)
 
     def points(self, node):
@@ -202,6 +203,19 @@ class Questions:
                           definition=definition_of(answer.hypotheses))
             self.answered(node, "guarantee", answer)
             self.computed(node)
+
+    def placements(self, node):
+        for width in (0.1, 1.5):
+            points = [[self.rng.uniform(-width, width) * node.span for _ in range(3)] for _ in range(4)]
+            ends = list(zip(points, points[1:]))
+            for more in ({"largest_scale": True}, {"tool_speed": 0.4, "criterion": FREE}):
+                within = [[side * node.span] * 3 for side in (-2, 2)]
+                answer = node.client.place_path([line(*each) for each in ends], time_limit=3, box=within,
+                                                accuracy=0.002 * node.span, **more)
+                segments = [(f"segment {k}", *each) for k, each in enumerate(ends)]
+                self.answered(node, "place_path", answer, segments=segments, place=xyz(answer.translation),
+                              tool_speed=more.get("tool_speed"))
+                self.computed(node)
 
     def tools(self, node):
         for share in (0, 0.1, 0.3):

@@ -10,6 +10,7 @@
 #include <pkm_workspace/EvaluatePoint.h>
 #include <pkm_workspace/FindLargestRegionAction.h>
 #include <pkm_workspace/GetRegion.h>
+#include <pkm_workspace/PlacePath.h>
 #include <pkm_workspace/SetCriterion.h>
 #include <ros/node_handle.h>
 #include <ros/service.h>
@@ -170,6 +171,16 @@ public:
     service.request.segments = segments;
     fill(service.request, fields...);
     return call("check_path", service);
+  }
+
+  /// Where to put a path, with the largest margin.
+  template <class... Fields>
+  PlacePath::Response placePath(const std::vector<ToolSegment>& segments, const Fields&... fields)
+  {
+    PlacePath service;
+    service.request.segments = segments;
+    fill(service.request, fields...);
+    return call("place_path", service);
   }
 
   /// How the machine stands at a point.

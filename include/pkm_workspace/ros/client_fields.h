@@ -161,6 +161,11 @@ inline auto largest_feed()
 {
   return [](auto& request) { request.largest_feed = true; };
 }
+/// How much larger a path may be, too.
+inline auto largest_scale()
+{
+  return [](auto& request) { request.largest_scale = true; };
+}
 /// Where the center of a region may be.
 inline auto search_box(const Triple& lower, const Triple& upper)
 {
@@ -170,7 +175,7 @@ inline auto search_box(const Triple& lower, const Triple& upper)
     request.max_corner = messageOf(upper);
   };
 }
-/// What is paved.
+/// What is paved; translations that may be chosen.
 inline auto box(const Triple& lower, const Triple& upper)
 {
   return [lower, upper](auto& request) {

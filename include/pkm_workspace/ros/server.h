@@ -13,6 +13,7 @@
 #include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_service.h"
+#include "pkm_workspace/ros/placement_service.h"
 #include "pkm_workspace/ros/planner_service.h"
 #include "pkm_workspace/ros/region_service.h"
 #include "pkm_workspace/ros/singularity_service.h"
@@ -44,6 +45,7 @@ private:
   SingularityService singularities_;
   ConditioningService conditioning_;
   GuaranteeService guarantee_;
+  PlacementService placement_;
   ComparisonService comparisons_;
   PlannerService planning_;
   CriterionService criterion_;
