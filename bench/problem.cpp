@@ -23,11 +23,12 @@ Problem uranesxSquare()
   return { "UraneSX, square", machine, true, { machine.zero() - reach, machine.zero() + reach } };
 }
 
-LargestRegion findByOurWay(const Machine& machine, bool is_square, double accuracy)
+LargestRegion findByOurWay(const Machine& machine, bool is_square, double accuracy, const Criterion& criterion)
 {
   RegionQuery query;
   query.shape = is_square ? makeSquare() : makeCube();
   query.accuracy = accuracy;
+  query.criterion = criterion;
   query.budget.threads = 1;
   query.budget.time_limit = 10.0;
   return findLargestRegion(machine, query);

@@ -25,7 +25,8 @@ Problem orthoglideCube();
 Problem uranesxSquare();
 
 /// Our own way, on one thread. @return when proved, or after ten seconds
-LargestRegion findByOurWay(const Machine& machine, bool is_square, double accuracy);
+LargestRegion findByOurWay(const Machine& machine, bool is_square, double accuracy,
+                           const Criterion& criterion = Criterion());
 
 /// The box tests that the paper's algorithm is given, with the names of the ways.
 std::vector<std::pair<std::string, BoxClassifier>> paperTests(const Machine& machine);

@@ -111,9 +111,12 @@ private:
     const bool is_lower = found.bound->is_lower;
     const double proved = found.proved();
     const double other = is_lower ? found.value.upper() : found.value.lower();
-    return { found.bound->name,         proved > 0.0 && std::isfinite(proved) ? towards(proved, is_lower) : "nothing",
-             towards(other, !is_lower), found.bound->unit,
-             placeOf(found.place),      legOf(found) };
+    return { found.bound->name,
+             proved > 0.0 && std::isfinite(proved) ? towards(proved, is_lower) : "nothing",
+             other > 0.0 && std::isfinite(other) ? towards(other, !is_lower) : "-",
+             found.bound->unit,
+             placeOf(found.place),
+             legOf(found) };
   }
 
   static std::string placeOf(const Eigen::Vector3d& p)

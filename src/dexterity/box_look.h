@@ -56,7 +56,8 @@ public:
     inside_ = inside_ | holds;
   }
 
-  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/)
+  template <class Enough>
+  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/, const Enough& enough)
   {
     Mask holds = !everywhere(), fails = everywhere();
     for (std::size_t k = 0; k < forms.count; ++k)
@@ -65,6 +66,8 @@ public:
       fails = fails & (forms.form[k].upper() < Real(0.0));
     }
     outside_ = outside_ | fails;
+    if (any(inside_ & !(holds | outside_)))
+      holds = holds | isPositive(enough());
     inside_ = inside_ & holds;
   }
 

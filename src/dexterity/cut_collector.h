@@ -50,7 +50,8 @@ public:
     add(decisive, decisive.radius);
   }
 
-  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/)
+  template <class Enough>
+  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/, const Enough& /*enough*/)
   {
     const AffineForm<Real> largest = forms.largest();
     add(largest, largest.radius);

@@ -67,7 +67,8 @@ public:
     scalar(subject, form, power);
   }
 
-  void anyOf(const Subject& subject, const AlternativeForms<Real>& forms, int power)
+  template <class Enough>
+  void anyOf(const Subject& subject, const AlternativeForms<Real>& forms, int power, const Enough& /*enough*/)
   {
     scalar(subject, forms.largest(), power);
   }

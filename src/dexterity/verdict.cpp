@@ -13,7 +13,10 @@ constexpr double LEAST_WIDTH = 1e-13;
 }  // namespace
 
 BoxTest::BoxTest(const Machine& machine, const Criterion& criterion, Precision precision)
-  : model_(machine, criterion), kernel_(std::move(boxKernels(model_).front())), scale_(machine.scale())
+  : model_(machine, criterion)
+  , keep_out_(pkm_workspace::zonesToKeepOut(criterion.zones, criterion.tool_radius))
+  , kernel_(std::move(boxKernels(model_).front()))
+  , scale_(machine.scale())
 {
   if (model_.condition<AspectSign>().isAsked() && !criterion.settlesAspect())
     spheres_ = strutSpheres(machine);

@@ -5,13 +5,23 @@
 #include <cmath>
 #include <limits>
 
+#include "pkm_workspace/interval/turning.h"
+
 namespace pkm_workspace
 {
 namespace
 {
+/// How the zone's own axes are turned.
 IntervalMatrix turnOf(const Zone& zone)
 {
-  return rotationOf(zone.frame) * rotationOf(zone.pose);
+  const IntervalMatrix turn = rotationOf(zone.frame) * rotationOf(zone.pose);
+  return zone.view ? zone.view->rotation * turn : turn;
+}
+
+IntervalVector centerOf(const Zone& zone)
+{
+  const IntervalVector center = transformed(zone.frame, enclose(zone.pose.translation));
+  return zone.view ? zone.view->rotation * center + zone.view->translation : center;
 }
 
 /// Half of what the zone measures along its own axes [m].
@@ -33,8 +43,7 @@ IntervalVector halfSides(const Zone& zone)
   return {};
 }
 
-/// How far beneath or above a surface a point is put for its side to be sure, in roundings of the largest length.
-constexpr std::array<double, 2> BENEATH = { 16.0, 256.0 };
+/// How far above a surface a point is put for its side to be sure, in roundings of the largest length.
 constexpr double ABOVE = 1024.0;
 
 /// The coordinate nearest to u that is beneath the surface of |u| <= half by the depth.
@@ -52,9 +61,9 @@ void clampNorm(Eigen::Vector3d& u, int count, double radius)
 }
 
 /// The place of the zone's own axes nearest to u that is beneath its surfaces by the depth; floating point.
-Eigen::Vector3d nearestWithin(const EnclosedZone& zone, Eigen::Vector3d u, double depth)
+Eigen::Vector3d nearestWithin(const PlainZone<double>& zone, Eigen::Vector3d u, double depth)
 {
-  const Eigen::Vector3d half = mid(zone.half);
+  const std::array<double, 3>& half = zone.half;
   switch (zone.kind)
   {
     case ZoneKind::BOX:
@@ -76,23 +85,29 @@ Eigen::Vector3d nearestWithin(const EnclosedZone& zone, Eigen::Vector3d u, doubl
   return u;
 }
 
-Eigen::Matrix3d turnNear(const EnclosedZone& zone)
+Eigen::Vector3d vectorOf(const std::array<double, 3>& v)
+{
+  return Eigen::Vector3d(v.data());
+}
+
+/// What a function of places in the zone's own axes makes of p.
+template <class Function>
+Eigen::Vector3d inOwnAxes(const PlainZone<double>& zone, const Eigen::Vector3d& p, const Function& function)
 {
   Eigen::Matrix3d turn;
   for (int row = 0; row < 3; ++row)
-    turn.row(row) = mid(zone.turn[static_cast<std::size_t>(row)]).transpose();
-  return turn;
+    turn.row(row) = vectorOf(zone.turn[static_cast<std::size_t>(row)]).transpose();
+  const Eigen::Vector3d u = turn * (p - vectorOf(zone.center));
+  return p + turn.transpose() * (function(u) - u);
 }
 
 /// The point nearest to p that is so many roundings beneath the surface; floating point.
-Eigen::Vector3d nearestBeneath(const EnclosedZone& zone, const Eigen::Vector3d& p, double roundings)
+Eigen::Vector3d nearestBeneath(const PlainZone<double>& zone, const Eigen::Vector3d& p, double roundings)
 {
-  const Eigen::Matrix3d turn = turnNear(zone);
-  const Eigen::Vector3d center = mid(zone.center);
-  const Eigen::Vector3d u = turn * (p - center);
-  const double size = p.cwiseAbs().maxCoeff() + center.cwiseAbs().maxCoeff() + mid(zone.half).maxCoeff();
+  const double size =
+      p.cwiseAbs().maxCoeff() + vectorOf(zone.center).cwiseAbs().maxCoeff() + vectorOf(zone.half).maxCoeff();
   const double depth = roundings * std::numeric_limits<double>::epsilon() * size;
-  return p + turn.transpose() * (nearestWithin(zone, u, depth) - u);
+  return inOwnAxes(zone, p, [&](const Eigen::Vector3d& u) { return nearestWithin(zone, u, depth); });
 }
 
 /// Of a half-space to keep to, its side along one axis; all of space where its normal is along none.
@@ -118,7 +133,7 @@ EnclosedZone enclosed(const Zone& zone, double tool_radius)
                        {},       {} };
   const IntervalMatrix turn = turnOf(zone);
   result.turn = transpose(turn);
-  result.center = transformed(zone.frame, enclose(zone.pose.translation));
+  result.center = centerOf(zone);
   if (zone.kind == ZoneKind::HALF_SPACE)
   {
     const IntervalVector normal = enclose(zone.normal);
@@ -180,19 +195,60 @@ Box boundsOf(const EnclosedZone& zone)
   return bounds;
 }
 
-std::optional<Eigen::Vector3d> pointWithin(const EnclosedZone& zone, const Eigen::Vector3d& p)
+PlainZone<double> turnedBack(const PlainZone<double>& zone, const Eigen::Vector3d& center, double angle)
 {
-  for (const double roundings : BENEATH)
+  PlainZone<double> result = zone;
+  const Eigen::Vector3d offset = turnedAboutZ(vectorOf(zone.center) - center, -angle);
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const Eigen::Vector3d within = nearestBeneath(zone, p, roundings);
-    if (clearance(zone, enclose(within)).certainlyNegative())
+    const Eigen::Vector3d row = turnedAboutZ(vectorOf(zone.turn[k]), -angle);
+    result.turn[k] = { row.x(), row.y(), row.z() };
+    result.center[k] = center[static_cast<int>(k)] + offset[static_cast<int>(k)];
+  }
+  return result;
+}
+
+Eigen::Vector3d nearestOf(const PlainZone<double>& zone, const Eigen::Vector3d& p)
+{
+  return nearestBeneath(zone, p, 0.0);
+}
+
+Eigen::Vector3d nearestOfCore(const PlainZone<double>& zone, const Eigen::Vector3d& p)
+{
+  return inOwnAxes(zone, p, [&](const Eigen::Vector3d& u) -> Eigen::Vector3d {
+    if (zone.kind == ZoneKind::SPHERE)
+      return Eigen::Vector3d::Zero();
+    if (zone.kind != ZoneKind::CYLINDER)
+      return nearestWithin(zone, u, 0.0);
+    return { 0.0, 0.0, zone.has_ends ? clamped(u[2], zone.half[2], 0.0) : u[2] };
+  });
+}
+
+std::optional<Eigen::Vector3d> pointWithin(const ZoneToKeepOut& zone, const Eigen::Vector3d& p, double depth)
+{
+  for (const double roundings : { depth, 16.0 * depth })
+  {
+    const Eigen::Vector3d within = nearestBeneath(zone.numbers, p, roundings);
+    if (clearance(zone.enclosed, enclose(within)).certainlyNegative())
       return within;
   }
   return std::nullopt;
 }
 
-Eigen::Vector3d pointAround(const EnclosedZone& zone, const Eigen::Vector3d& p)
+Eigen::Vector3d pointAround(const PlainZone<double>& zone, const Eigen::Vector3d& p)
 {
   return nearestBeneath(zone, p, -ABOVE);
+}
+
+std::vector<ZoneToKeepOut> zonesToKeepOut(const std::vector<Zone>& zones, double tool_radius)
+{
+  std::vector<ZoneToKeepOut> result;
+  for (const Zone& zone : zones)
+    if (zone.use == Zone::Use::KEEP_OUT)
+    {
+      const EnclosedZone exact = enclosed(zone, tool_radius);
+      result.push_back({ exact, plainZone(zoneOfForms<double>(exact)) });
+    }
+  return result;
 }
 }  // namespace pkm_workspace

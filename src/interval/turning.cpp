@@ -15,6 +15,23 @@ Interval withinOne(const Enclosed<double>& x)
 {
   return intersection(Interval(x.lower(), x.upper()), Interval(-1.0, 1.0));
 }
+
+/// Of the angles x in [-d, d] that angles are from their middle.
+struct HalfTurn
+{
+  explicit HalfTurn(const Interval& angles)
+  {
+    const SineCosine half(Interval((angles - Interval(angles.mid())).magnitude()));
+    sine = withinOne(half.sine);
+    const double least = withinOne(half.cosine).lower();
+    shrunk = 0.5 * (1.0 + least);
+    bend = std::max((Interval(1.0) - Interval(shrunk)).upper(), (Interval(shrunk) - Interval(least)).upper());
+  }
+
+  Interval sine;  ///< of d
+  double shrunk;  ///< in the middle of what cos(x) may be
+  double bend;    ///< how far that may be from it
+};
 }  // namespace
 
 IntervalMatrix rotationsAboutZ(const Interval& angles)
@@ -63,12 +80,7 @@ TurningBox::TurningBox(const Box& centers, const Interval& angles, double size,
   : box_(centers), sweeps_(points.size())
 {
   const double middle = angles.mid();
-  const SineCosine half(Interval((angles - Interval(middle)).magnitude()));
-  const Interval sine = withinOne(half.sine);
-  const double least = withinOne(half.cosine).lower();
-  const double shrunk = 0.5 * (1.0 + least);  // in the middle of what cos(x) may be
-  const double bend =
-      std::max((Interval(1.0) - Interval(shrunk)).upper(), (Interval(shrunk) - Interval(least)).upper());
+  const auto [sine, shrunk, bend] = HalfTurn(angles);
   const IntervalMatrix to_middle = rotationsAboutZ(Interval(middle));
   places_ = turnedAboutZ(points, middle);
   std::vector<IntervalVector> sweeps;
@@ -78,7 +90,7 @@ TurningBox::TurningBox(const Box& centers, const Interval& angles, double size,
       part->head<2>() *= shrunk;
     const IntervalVector a = to_middle * encloseAt(points[k], size);
     const IntervalVector rest = Interval(shrunk) * a - encloseAt(places_[k], size);
-    const auto sweep = [&](const Interval& across, std::size_t j) {
+    const auto sweep = [&, &sine = sine, &bend = bend](const Interval& across, std::size_t j) {
       const double most = (Interval(rest[j].magnitude()) + Interval(bend) * Interval(a[j].magnitude())).upper();
       return sine * across + Interval(-most, most);
     };
@@ -125,5 +137,56 @@ std::array<double, 3> TurningBox::deltaOf(std::size_t k, const std::array<double
   for (std::size_t j = 0; j < 3; ++j)
     delta[j] = share_[j].value * center[j] + sweeps_[k][j].value * turn;
   return delta;
+}
+TurningOffset::TurningOffset(const Box& centers, const Interval& angles, const Eigen::Vector3d& point)
+{
+  const HalfTurn half(angles);
+  const CenteredBox<double> box(centers);
+  const IntervalMatrix back = rotationsAboutZ(-Interval(angles.mid()));
+  const IntervalVector middle = back * (IntervalVector{ box.center[0], box.center[1], box.center[2] } - enclose(point));
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    // beside row j is the one that the turn brings in: y for x, and -x for y
+    const std::size_t beside = j == 0 ? 1 : 0;
+    const Interval sign = j == 0 ? 1.0 : j == 1 ? -1.0 : 0.0;
+    const Interval shrunk = j < 2 ? Interval(half.shrunk) : Interval(1.0);
+    const Interval bend = j < 2 ? Interval(half.bend) : Interval(0.0);
+    TurningForm& coordinate = coordinates_[j];
+    Interval radius = bend * abs(middle[j]);
+    coordinate.form = AffineForm<double>{} + Enclosed<double>(shrunk * middle[j]);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Interval width(box.half_widths[k]);
+      AffineForm<double> edge;
+      edge.gradient[k] = 1.0;
+      coordinate.form = coordinate.form + Enclosed<double>(shrunk * back[j][k] * width) * edge;
+      radius += (bend * abs(back[j][k]) + half.sine * abs(sign * back[beside][k])) * width;
+    }
+    coordinate.form.radius = affine::widened(coordinate.form.radius + radius.upper(), radius.upper(), 4);
+    coordinate.turn = Enclosed<double>(half.sine * sign * middle[beside]);
+    box_.lower[static_cast<int>(j)] = coordinate.lower();
+    box_.upper[static_cast<int>(j)] = coordinate.upper();
+  }
+  const Interval upward = centers.side(2) - Interval(point.z());  // exactly 0 for bodies without height
+  box_.lower.z() = upward.lower();
+  box_.upper.z() = upward.upper();
+}
+
+TurningForm TurningOffset::formOf(const AffineForm<double>& over_box) const
+{
+  const CenteredBox<double> box(box_);
+  TurningForm sum;
+  sum.form.radius = over_box.radius;
+  sum.form = sum.form + Enclosed<double>(over_box.center, 0.0);
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    if (over_box.gradient[j] == 0.0)
+      continue;
+    const Enclosed<double> slope(Interval(over_box.gradient[j]) / Interval(box.half_widths[j]));
+    TurningForm beside = coordinates_[j];
+    beside.form = beside.form + Enclosed<double>(-box.center[j], 0.0);
+    sum = sum + slope * beside;
+  }
+  return sum;
 }
 }  // namespace pkm_workspace

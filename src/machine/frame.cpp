@@ -74,11 +74,12 @@ IntervalVector transformed(const Pose& pose, const IntervalVector& p)
 Machine machineInFrame(const Machine& machine, const Pose& pose)
 {
   const IntervalMatrix rotation = rotationOf(pose);  // says all that is wrong with the pose
-  return machineInFrame(machine, rotation, enclose(pose.translation));
+  return machineInFrame(machine, { rotation, enclose(pose.translation) });
 }
 
-Machine machineInFrame(const Machine& machine, const IntervalMatrix& rotation, const IntervalVector& translation)
+Machine machineInFrame(const Machine& machine, const EnclosedMotion& motion)
 {
+  const auto& [rotation, translation] = motion;
   Machine::Legs legs = machine.legs();
   setDirections(legs, sharedDirections(legs));
   for (Leg& leg : legs)

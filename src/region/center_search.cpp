@@ -72,7 +72,7 @@ CenterSearch::CenterSearch(const Machine& machine, const RegionQuery& query, dou
   , space_(centerSpace(machine, query))
   , test_across_rails_(withoutLimits(machine, query, space_))
   , travel_(space_.travel && space_.travel->binds() ? &*space_.travel : nullptr)
-  , witnesses_(*query.shape, query.criterion)
+  , witnesses_(*query.shape, test_.zonesToKeepOut())
   , center_tests_(WAVE, CenterTest(testOfCenters(), *query.shape, witnesses_, travel_, tellsReasons()))
   , local_search_(testOfClimbs(), *query.shape, witnesses_, travel_ ? travel_->centers() : space_.centers, query.angles,
                   travel_)

@@ -40,11 +40,9 @@ CenterTest::CenterTest(const BoxTest& test, const Shape& shape, const WitnessPoi
   , travel_(travel)
   , own_(shape.ownProof())
   , spheres_(own_ ? std::vector<StrutSphere>() : test.spheres())
+  , half_extents_(shape.halfExtents())
   , keeps_reasons_(keeps_reasons)
 {
-  const GrowingVector extents = shape.halfExtents();
-  for (int axis = 0; axis < 3; ++axis)
-    is_flat_[static_cast<std::size_t>(axis)] = extents.fixed[axis] == 0.0 && extents.per_size[axis] == 0.0;
   if (spheres_.empty())
     return;
   const std::vector<GrowingVector> extremes = shape.extremePoints();
@@ -206,37 +204,38 @@ bool CenterTest::addCuts()
   return added;
 }
 
-/// A region without thickness meets a point only at its own height: there a bad point stands for those beside it.
-CenterTest::BadPoint CenterTest::alongFlatAxes(const Eigen::Vector3d& known, const Box& centers) const
+/// A region that is thinner than the box of centers meets a point only near its own height: a bad point stands for
+/// those beside it where all of them are bad, up to the ends of the centers.
+CenterTest::BadPoint CenterTest::alongThinAxes(const Eigen::Vector3d& known, const Box& centers, double size) const
 {
-  BadPoint bad{ known, centers, true };
+  const Eigen::Vector3d half = half_extents_.at(size);
+  BadPoint beside{ known, centers };
   Box all{ known, known };
-  bool is_point = true;
   for (int axis = 0; axis < 3; ++axis)
-    if (is_flat_[static_cast<std::size_t>(axis)])
+    if (2.0 * half[axis] < centers.width(axis) || half[axis] == 0.0)
     {
       all.lower[axis] = centers.lower[axis];
       all.upper[axis] = centers.upper[axis];
-      bad.point[axis] = bad.centers.lower[axis] = bad.centers.upper[axis] = centers.center()[axis];
-      is_point = is_point && all.lower[axis] == known[axis] && all.upper[axis] == known[axis];
+      beside.point[axis] = beside.centers.lower[axis] = beside.centers.upper[axis] = centers.center()[axis];
     }
-  bad.is_proved = is_point || (!travel_ && test_.classify(all) == BoxVerdict::OUTSIDE);
-  return bad;
+  const bool is_point = all.lower == known && all.upper == known;
+  const bool is_proved = is_point || (!travel_ && test_.classify(all) == BoxVerdict::OUTSIDE);
+  return is_proved ? beside : BadPoint{ known, centers };
 }
 
 /// @return true when a point that is known to be bad lies within every region: that alone excludes the box
 bool CenterTest::addKnown(const Box& centers, double size)
 {
-  for (const Eigen::Vector3d& known : witnesses_.badNear(centers.center(), bad_))
+  for (const Eigen::Vector3d& known : witnesses_.badNear(centers.center(), angles_.mid(), bad_))
   {
-    const BadPoint bad = alongFlatAxes(known, centers);
-    const auto avoidance = bad.is_proved ? shape_.avoidance(bad.point, bad.centers, size) : std::nullopt;
+    const BadPoint bad = alongThinAxes(known, centers, size);
+    const auto beyond = avoidance(bad, size);
     const auto term = [&bad] {
       ReasonTerm result{ ReasonTerm::Kind::BAD_POINT };
       result.point = bad.point;
       return result;
     };
-    if (avoidance && add({ perLength(test_) * *avoidance }, term))
+    if (beyond && add(perLength(test_) * *beyond, term))
       return true;
   }
   return false;
@@ -260,7 +259,7 @@ std::optional<Closing> CenterTest::excludesAlone(const Box& centers, double size
 {
   if (own_ && own_->refutes(test_, centers, size))
     return Closing::FORM;
-  if (!turning_ && addKnown(centers, size))
+  if (addKnown(centers, size))
     return Closing::BAD_POINT;
   necessary_.resize(witnesses_.ofShape().size());
   origins_.resize(keeps_reasons_ ? necessary_.size() * NecessaryForms::MOST : 0);

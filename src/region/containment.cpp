@@ -11,6 +11,7 @@
 #include "pkm_workspace/common/branch_and_bound.h"
 #include "pkm_workspace/dexterity/sphere_crossing.h"
 #include "pkm_workspace/region/bad_point.h"
+#include "pkm_workspace/region/zone_contact.h"
 
 namespace pkm_workspace
 {
@@ -84,7 +85,7 @@ public:
 private:
   void prove()
   {
-    if (refuteAtExtremes() || refuteAtSpheres())
+    if (refuteAtExtremes() || refuteAtZones() || refuteAtSpheres())
       return;
     result_.is_within_rounding = !aspectIsRight();
     if (result_.is_within_rounding)
@@ -135,6 +136,13 @@ private:
     test_.kernel().margins(points.data(), points.size(), margins.data());
     const auto worst = std::min_element(margins.begin(), margins.end());
     return refute(points[static_cast<std::size_t>(worst - margins.begin())], *worst);
+  }
+
+  bool refuteAtZones()
+  {
+    return std::any_of(test_.zonesToKeepOut().begin(), test_.zonesToKeepOut().end(), [&](const ZoneToKeepOut& zone) {
+      return proveBad(nearestToZone(zone.numbers, shape_, center_, size_));
+    });
   }
 
   bool becomesLong() { return !is_long_ && !shape_.isBox() && (is_long_ = result_.boxes >= LONG_PROOF); }

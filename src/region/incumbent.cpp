@@ -49,7 +49,8 @@ ContainmentResult Incumbent::checkTurned(const Candidate& region, const Budget& 
 {
   try
   {
-    const BoxTest turned(machineSeenFrom(machine_, region.center, region.angle), query_.criterion, query_.precision);
+    const SeenFrom seen = seenFrom(machine_, query_.criterion, region.center, region.angle);
+    const BoxTest turned(seen.machine, seen.criterion, query_.precision);
     const Eigen::Vector3d center(0.0, 0.0, region.center.z());
     ContainmentResult proof = checkContainment(turned, *query_.shape, center, region.size, budget);
     if (proof.bad_point)

@@ -31,8 +31,6 @@ void RegionQuery::validate(Problems& problems) const
                        "] must be from 1e-6 to 1e6, the least one first");
   if (shape && turns() && !canTurn(shape->kind()))
     problems.push_back("regions of this shape cannot be turned: a turn changes nothing about a " + shape->kind());
-  if (turns() && !criterion.zones.empty())
-    problems.push_back("a region that may be turned cannot keep within or out of zones: leave out either");
   criterion.validate(problems);
   if (criterion.aspect == Criterion::Aspect::BOTH && criterion.settlesAspect())
     problems.push_back(

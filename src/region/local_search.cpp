@@ -38,7 +38,7 @@ LocalSearch::Step LocalSearch::assess(const Candidate& candidate)
   margins_.resize(points.size());
   test_.kernel().margins(points.data(), points.size(), margins_.data());
   double violation = -scale_ * *std::min_element(margins_.begin(), margins_.end());
-  for (const Eigen::Vector3d& point : witnesses_.keptOut(candidate.center, bad_))
+  for (const Eigen::Vector3d& point : witnesses_.keptOut(candidate.center, candidate.angle, bad_))
     violation = std::max(violation, exitOf(candidate, point).depth);
   violation = std::max(violation, excessOf(candidate));
   return { candidate, std::max(0.0, violation) };
@@ -86,15 +86,17 @@ void LocalSearch::addSpheres(double trust)
 LocalSearch::Exit LocalSearch::exitOf(const Candidate& candidate, const Eigen::Vector3d& point) const
 {
   const Eigen::Vector3d center = travel_ ? travel_->placeOf(candidate.center) : candidate.center;
-  const Eigen::Vector3d normal = shape_.exit(point, center, candidate.size);
+  const Eigen::Vector3d offset = turnedAboutZ(point - center, -candidate.angle);  // seen from the region
+  const Eigen::Vector3d normal = shape_.exit(center + offset, center, candidate.size);
   const Growing<double> support = shape_.support(normal);
-  return { normal, support.per_size, support.at(candidate.size) - normal.dot(point - center) };
+  return { turnedAboutZ(normal, candidate.angle), support.per_size, support.at(candidate.size) - normal.dot(offset),
+           normal.y() * offset.x() - normal.x() * offset.y() };
 }
 
 /// Appends rows that keep bad points out of the region, beyond the side that each is nearest to.
 void LocalSearch::addExits(double trust)
 {
-  for (const Eigen::Vector3d& point : witnesses_.keptOut(from_.center, bad_))
+  for (const Eigen::Vector3d& point : witnesses_.keptOut(from_.center, from_.angle, bad_))
   {
     Exit exit = exitOf(from_, point);
     if (travel_)
@@ -104,6 +106,7 @@ void LocalSearch::addExits(double trust)
       row.slope[j] = -trust * exit.normal[static_cast<int>(j)];
     row.slope[3] = -trust * exit.support / reach_;
     row.slope[4] = 0.5 * slack_;
+    row.slope[5] = -turn_ * exit.turn;
     programme_.add(row);
   }
 }

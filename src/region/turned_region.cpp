@@ -47,11 +47,15 @@ void setTurned(RegionQuery& query)
   query.angles = Interval(0.0, (Interval(0.5 * quartersOf(*query.shape)) * pi()).upper());
 }
 
-Machine machineSeenFrom(const Machine& machine, const Eigen::Vector3d& center, double angle)
+SeenFrom seenFrom(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& center, double angle)
 {
   const Interval around = Interval(angle) * Interval(1.0 - 0x1p-50, 1.0 + 0x1p-50);
   const IntervalMatrix rotation = rotationsAboutZ(-around);
-  return machineInFrame(machine, rotation, rotation * IntervalVector{ -center.x(), -center.y(), 0.0 });
+  const EnclosedMotion motion{ rotation, rotation * IntervalVector{ -center.x(), -center.y(), 0.0 } };
+  SeenFrom seen{ machineInFrame(machine, motion), criterion };
+  for (Zone& zone : seen.criterion.zones)
+    zone.view = motion;
+  return seen;
 }
 
 namespace
@@ -61,7 +65,8 @@ bool isProvedAt(double angle, const Machine& machine, const RegionQuery& query, 
 {
   Budget left = budget.rest();
   left.max_boxes = PROOF_BOXES;
-  const BoxTest test(machineSeenFrom(machine, region.center, angle), query.criterion, query.precision);
+  const SeenFrom seen = seenFrom(machine, query.criterion, region.center, angle);
+  const BoxTest test(seen.machine, seen.criterion, query.precision);
   const Eigen::Vector3d center(0.0, 0.0, region.center.z());
   const ContainmentResult proof = checkContainment(test, *region.shape, center, region.size, left);
   region.verification_boxes += proof.boxes;
@@ -75,11 +80,13 @@ void settleTurned(const Machine& machine, const RegionQuery& query, const Runnin
     return;
   if (query.angles.upper() - *region.angle < NEARLY_ALL_ROUND && isProvedAt(0.0, machine, query, budget, region))
     region.angle = 0.0;
-  const Machine seen = machineSeenFrom(machine, region.center, *region.angle);
+  const SeenFrom there = seenFrom(machine, query.criterion, region.center, *region.angle);
+  const Machine& seen = there.machine;
   const Eigen::Vector3d foot(region.center.x(), region.center.y(), 0.0);
   region.center -= foot;
   RegionQuery from_there = query;
   from_there.angles = 0.0;
+  from_there.criterion = there.criterion;
   for (int k = 0; from_there.search_box && k < 2; ++k)
     from_there.search_box->lower[k] = from_there.search_box->upper[k] = 0.0;
   if (!seen.hasParallelRails() || abs(directionOfRails(seen)[2]) == Interval(1.0))

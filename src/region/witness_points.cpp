@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/region/witness_points.h"
 
+#include "pkm_workspace/interval/turning.h"
+#include "pkm_workspace/region/zone_contact.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -10,36 +13,52 @@ constexpr std::size_t MAX_LEARNT = 16;
 constexpr std::size_t MAX_BAD = 64;
 /// Learnt places closer than this, relative to the region, are one.
 constexpr double LEAST_DISTANCE = 0.05;
+/// How far beneath the surface of zones bad points are, in roundings; for regions that are thin, relative to their
+/// widest extent, enough that a segment beside such a point is proved bad.
+constexpr double DEPTH = 16.0;
+constexpr double DEPTH_OF_SEGMENTS = 4096.0;
+constexpr double THIN = 0.1;
 }  // namespace
 
-WitnessPoints::WitnessPoints(const Shape& shape, const Criterion& criterion)
+WitnessPoints::WitnessPoints(const Shape& shape, const std::vector<ZoneToKeepOut>& keep_out)
   : shape_(shape), extremes_(shape.extremePoints().size()), of_shape_(shape.extremePoints())
 {
-  for (const Zone& zone : criterion.zones)
-    if (zone.use == Zone::Use::KEEP_OUT && shape.ownProof() == nullptr)
-      keep_out_.push_back(enclosed(zone, criterion.tool_radius));
+  if (shape.ownProof() == nullptr)
+    keep_out_ = keep_out;
+  const Eigen::Vector3d extents = shape.halfExtents().at(1.0);
+  const bool is_thin = extents.minCoeff() <= THIN * extents.maxCoeff();
+  depth_ = is_thin ? DEPTH_OF_SEGMENTS : DEPTH;
 }
 
-const std::vector<Eigen::Vector3d>& WitnessPoints::badNear(const Eigen::Vector3d& center,
+/// Where a region that grows about the center meets the zone first; floating point.
+Eigen::Vector3d WitnessPoints::contact(const ZoneToKeepOut& zone, const Eigen::Vector3d& center, double angle) const
+{
+  if (angle == 0.0)
+    return firstContact(zone.numbers, shape_, center);
+  const Eigen::Vector3d seen = firstContact(turnedBack(zone.numbers, center, angle), shape_, center);
+  return center + turnedAboutZ(seen - center, angle);
+}
+
+const std::vector<Eigen::Vector3d>& WitnessPoints::badNear(const Eigen::Vector3d& center, double angle,
                                                            std::vector<Eigen::Vector3d>& room) const
 {
   if (keep_out_.empty())
     return bad_;
   room = bad_;
-  for (const EnclosedZone& zone : keep_out_)
-    if (const auto point = pointWithin(zone, center))
+  for (const ZoneToKeepOut& zone : keep_out_)
+    if (const auto point = pointWithin(zone, contact(zone, center, angle), depth_))
       room.push_back(*point);
   return room;
 }
 
-const std::vector<Eigen::Vector3d>& WitnessPoints::keptOut(const Eigen::Vector3d& center,
+const std::vector<Eigen::Vector3d>& WitnessPoints::keptOut(const Eigen::Vector3d& center, double angle,
                                                            std::vector<Eigen::Vector3d>& room) const
 {
   if (keep_out_.empty())
     return bad_;
   room = bad_;
-  for (const EnclosedZone& zone : keep_out_)
-    room.push_back(pointAround(zone, center));
+  for (const ZoneToKeepOut& zone : keep_out_)
+    room.push_back(pointAround(zone.numbers, contact(zone, center, angle)));
   return room;
 }
 

@@ -122,13 +122,13 @@ TEST(Zones, pointsWithinAreBadAndNearest)
   {
     const Zone zone = randomZone(random, space, Zone::Use::KEEP_OUT);
     const double tool_radius = random.once(2) ? 0.05 : 0.0;
-    const EnclosedZone enclosed_zone = enclosed(zone, tool_radius);
+    const ZoneToKeepOut to_keep_out = zonesToKeepOut({ zone }, tool_radius).front();
     const ZoneOracle oracle(zone, tool_radius);
     const Vector3d p = boxes.pointIn(space);
-    const auto within = pointWithin(enclosed_zone, p);
+    const auto within = pointWithin(to_keep_out, p);
     ASSERT_TRUE(within) << describe(zone);
     EXPECT_LT(oracle.clearance(exactly(*within)), 0) << describe(zone);
-    const Vector3d around = pointAround(enclosed_zone, p);
+    const Vector3d around = pointAround(to_keep_out.numbers, p);
     EXPECT_LE((around - *within).norm(), 1e-10);
     if (oracle.clearance(exactly(p)) > 1e-9)
     {

@@ -62,10 +62,20 @@ struct Turning
       place[j] = Exact(box.center[j]) + Exact(box.half_widths[j]) * delta[j] + turned[j];
     return place;
   }
-  /// sin(angle - middle) over the largest one.
-  Exact turn() const
+  /// How a body at that center, turned by the angle, sees the point p from p.
+  ExactVector offsetFrom(const Eigen::Vector3d& p, RoundingMode mode) const
   {
-    const double middle = angles.mid();
+    const auto box = under<CenteredBox<double>>(mode, [this] { return CenteredBox<double>(centers); });
+    const Exact c = cos(Exact(angle)), s = sin(Exact(angle));
+    ExactVector offset;
+    for (std::size_t j = 0; j < 3; ++j)
+      offset[j] = Exact(box.center[j]) + Exact(box.half_widths[j]) * delta[j] - Exact(p[static_cast<int>(j)]);
+    return { c * offset[0] + s * offset[1], c * offset[1] - s * offset[0], offset[2] };
+  }
+  /// sin(angle - middle) over the largest one, for the middle as it is rounded.
+  Exact turn(RoundingMode mode) const
+  {
+    const double middle = under<double>(mode, [this] { return angles.mid(); });
     return sin(Exact(angle) - middle) / sin(Exact((angles - Interval(middle)).magnitude()));
   }
 };
@@ -88,12 +98,38 @@ TEST_P(TurningContainment, boxesAndFormsHoldThePlacesOfPoints)
       const double reach = moved.half_widths[j];
       EXPECT_TRUE((place[j] - moved.center[j]).mayLieIn(-reach - moved.slack, reach + moved.slack)) << "seed " << seed;
       const auto form = under<TurningForm>(GetParam(), [&] { return box.formOf(turning.k, coordinate(moved, j)); });
-      Exact rest = place[j] - form.form.center - turning.turn() * form.turn.value;
+      Exact rest = place[j] - form.form.center - turning.turn(GetParam()) * form.turn.value;
       for (std::size_t i = 0; i < 3; ++i)
         rest = rest - Exact(form.form.gradient[i]) * turning.delta[i];
       const double radius = form.form.radius + form.turn.radius;
       EXPECT_TRUE(rest.mayLieIn(-radius, radius)) << "seed " << seed << ": " << rest << " beyond " << radius;
       EXPECT_TRUE(place[j].mayLieIn(form.lower(), form.upper())) << "seed " << seed;
+    }
+  }
+}
+
+TEST_P(TurningContainment, boxesAndFormsHoldTheOffsetsFromPoints)
+{
+  for (int seed = 0; seed < cases(4000) && !HasFailure(); ++seed)
+  {
+    const Turning turning(seed);
+    const Eigen::Vector3d point = seed % 2 == 0 ? turning.points[turning.k].per_size : turning.centers.center();
+    const auto offset =
+        under<TurningOffset>(GetParam(), [&] { return TurningOffset(turning.centers, turning.angles, point); });
+    const CenteredBox<double> box(offset.box());
+    const ExactVector exact = turning.offsetFrom(point, GetParam());
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      const int axis = static_cast<int>(j);
+      // half widths of centers are rounded up
+      const double more = 4e-15 * (turning.centers.maxWidth() + turning.centers.upper.cwiseAbs().maxCoeff());
+      EXPECT_TRUE(exact[j].mayLieIn(offset.box().lower[axis] - more, offset.box().upper[axis] + more)) << seed;
+      const auto form = under<TurningForm>(GetParam(), [&] { return offset.formOf(coordinate(box, j)); });
+      Exact rest = exact[j] - form.form.center - turning.turn(GetParam()) * form.turn.value;
+      for (std::size_t i = 0; i < 3; ++i)
+        rest = rest - Exact(form.form.gradient[i]) * turning.delta[i];
+      const double radius = form.form.radius + form.turn.radius;
+      EXPECT_TRUE(rest.mayLieIn(-radius, radius)) << "seed " << seed << ": " << rest << " beyond " << radius;
     }
   }
 }

@@ -74,6 +74,29 @@ TEST(SearchCost, growsHardlyWithTheAccuracy)
   EXPECT_LE(square.verification_boxes, 300);
 }
 
+// The largest cube touches the zone with the middle of a face, or with an edge.
+TEST(SearchCost, zonesCostLittleMore)
+{
+  for (const Zone::Kind kind : { Zone::Kind::CYLINDER, Zone::Kind::SPHERE, Zone::Kind::BOX })
+    for (const double beside : { 0.0, 0.2 })
+    {
+      Zone zone;
+      zone.kind = kind;
+      zone.pose.translation = { beside, beside, 0.0 };
+      zone.sides = Eigen::Vector3d::Constant(0.1);
+      zone.radius = 0.05;
+      zone.height = 1.0;
+      RegionQuery query;
+      query.shape = makeCube();
+      query.accuracy = 1e-3;
+      query.criterion.zones = { zone };
+      const LargestRegion region = findLargestRegion(orthoglide(), query);
+      EXPECT_EQ(region.status, LargestRegion::Status::PROVEN) << describe(zone) << region.message;
+      EXPECT_LE(region.boxes, 1100) << describe(zone);
+      EXPECT_LE(region.verification_boxes, 1000) << describe(zone);
+    }
+}
+
 // The square's inside nearly touches the bound, from one side and from the other.
 TEST(SearchCost, aSpotWithinTheSquare)
 {
@@ -213,7 +236,7 @@ TEST(SearchCost, looksAtCentersAllocateNothing)
 {
   const BoxTest test(orthoglide(), Criterion());
   const ShapePtr cube = makeCube();
-  WitnessPoints witnesses(*cube, Criterion());
+  WitnessPoints witnesses(*cube, test.zonesToKeepOut());
   witnesses.learn(Eigen::Vector3d::Zero(), 0.7, Eigen::Vector3d(0.3, 0.3, 0.3));
   CenterTest center_test(test, *cube, witnesses);
   const Box centers{ Eigen::Vector3d::Constant(0.05), Eigen::Vector3d::Constant(0.12) };

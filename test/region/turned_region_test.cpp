@@ -54,6 +54,51 @@ std::pair<Vector3d, double> anotherPlace(int k, const Vector3d& center, double a
 }
 }  // namespace
 
+namespace
+{
+/// @return whether one was found
+bool holdsFromOutside(const Machine& machine, const RegionQuery& query)
+{
+  const LargestRegion region = findLargestRegion(machine, query);
+  EXPECT_NE(region.status, LargestRegion::Status::STOPPED) << region.size << " to " << region.size_upper_bound;
+  const bool is_found = region.size > 0.0;
+  const double at = region.angle.value_or(0.0);
+  const Vector3d middle = is_found ? region.center : Vector3d(machine.zero());
+  const Oracle oracle(machine, query.criterion);
+  RandomBoxes random(SEED);
+  for (int k = 0; is_found && k < cases(500) && !testing::Test::HasFailure(); ++k)
+    EXPECT_TRUE(oracle.isGood(turnedPoint(*region.shape, region.center, region.size, at, random))) << "case " << k;
+  for (int k = 0; k < cases(60) && !testing::Test::HasFailure(); ++k)
+  {
+    const auto [center, angle] = anotherPlace(k, middle, at, machine.scale(), false, random);
+    EXPECT_TRUE(holdsBadPoint(oracle, *region.shape, center, region.size_upper_bound * (1.0 + 1e-9), angle, random))
+        << "case " << k << ", center (" << center.transpose() << ") m, angle " << angle;
+  }
+  return is_found;
+}
+
+/// Of a machine that is turned the other way round, regions along the axes are the same regions.
+/// @param near how near the best of these steps comes to the best of all, relative
+void holdsAtEveryAngle(const Machine& machine, const RegionQuery& query, double period, int steps, double near)
+{
+  const LargestRegion best = findLargestRegion(machine, query);
+  RegionQuery fixed = query;
+  fixed.angles = 0.0;
+  double largest = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    const double angle = period * k / steps;
+    const Pose pose{ { 0.0, 0.0, -std::sin(0.5 * angle), std::cos(0.5 * angle) }, Vector3d::Zero() };
+    for (Zone& zone : fixed.criterion.zones)
+      zone.frame = pose;
+    const LargestRegion there = findLargestRegion(machineInFrame(machine, pose), fixed);
+    EXPECT_LE(there.size, best.size_upper_bound) << angle;
+    largest = std::max(largest, there.size_upper_bound);
+  }
+  EXPECT_GE(largest, best.size - near * best.size);
+}
+}  // namespace
+
 TEST(TurnedRegion, foundRegionsAreGoodAndLargerOnesAreNot)
 {
   int found = 0;
@@ -61,49 +106,33 @@ TEST(TurnedRegion, foundRegionsAreGoodAndLargerOnesAreNot)
     for (const TurnedWish& turned : turnedWishes())
     {
       SCOPED_TRACE(machine.name() + ", " + turned.wish.name + ", seed " + std::to_string(SEED));
-      const RegionQuery query = turnedQuery(turned.wish, 2e-3 * machine.scale());
-      const LargestRegion region = findLargestRegion(machine, query);
-      ASSERT_NE(region.status, LargestRegion::Status::STOPPED) << region.size << " to " << region.size_upper_bound;
-      ASSERT_TRUE(region.angle);
-      found += region.size > 0.0 ? 1 : 0;
-      const Vector3d middle = region.size > 0.0 ? region.center : Vector3d(machine.zero());
-      const Oracle oracle(machine, query.criterion);
-      RandomBoxes random(SEED);
-      for (int k = 0; region.size > 0.0 && k < cases(500); ++k)
-        ASSERT_TRUE(oracle.isGood(turnedPoint(*region.shape, region.center, region.size, *region.angle, random)))
-            << "case " << k;
-      for (int k = 0; k < cases(60); ++k)
-      {
-        const auto [center, angle] = anotherPlace(k, middle, *region.angle, machine.scale(), false, random);
-        ASSERT_TRUE(holdsBadPoint(oracle, *region.shape, center, region.size_upper_bound * (1.0 + 1e-9), angle, random))
-            << "case " << k << ", center (" << center.transpose() << ") m, angle " << angle;
-      }
+      found += holdsFromOutside(machine, turnedQuery(turned.wish, 2e-3 * machine.scale())) ? 1 : 0;
     }
   EXPECT_GT(found, 24);
 }
 
-// Of a machine that is turned the other way round, regions along the axes are the same regions.
 TEST(TurnedRegion, isTheLargestOfThoseAtEveryAngle)
 {
   for (const Machine& machine : test::machinesToTurnIn())
     for (const TurnedWish& turned : turnedWishes())
     {
       SCOPED_TRACE(machine.name() + ", " + turned.wish.name);
-      const RegionQuery query = turnedQuery(turned.wish, 1e-3 * machine.scale());
-      const LargestRegion best = findLargestRegion(machine, query);
-      RegionQuery fixed = query;
-      fixed.angles = 0.0;
-      double largest = 0.0;
-      const int steps = cases(24);
-      for (int k = 0; k < steps; ++k)
-      {
-        const double angle = turned.period * k / steps;
-        const Pose pose{ { 0.0, 0.0, -std::sin(0.5 * angle), std::cos(0.5 * angle) }, Vector3d::Zero() };
-        const LargestRegion there = findLargestRegion(machineInFrame(machine, pose), fixed);
-        EXPECT_LE(there.size, best.size_upper_bound) << angle;
-        largest = std::max(largest, there.size_upper_bound);
-      }
-      EXPECT_GE(largest, best.size - 0.05 * best.size);  // as near as the steps are
+      holdsAtEveryAngle(machine, turnedQuery(turned.wish, 1e-3 * machine.scale()), turned.period, cases(24), 0.05);
+    }
+}
+
+TEST(TurnedRegion, keepsOutOfZones)
+{
+  for (const Machine& machine : { orthoglide(), test::deltaWithLimits(), test::crooked(4) })
+    for (const TurnedWish& turned : turnedWishes())
+    {
+      if (turned.wish.footprint || (turned.wish.proportions && turned.wish.proportions->y() == 0.0))
+        continue;
+      SCOPED_TRACE(machine.name() + ", " + turned.wish.name + ", seed " + std::to_string(SEED));
+      RegionQuery query = turnedQuery(turned.wish, 1e-2 * machine.scale());
+      query.criterion.zones = test::zonesBeside(machine, turned.wish.name);
+      EXPECT_TRUE(holdsFromOutside(machine, query));
+      holdsAtEveryAngle(machine, query, turned.period, cases(6), 0.2);
     }
 }
 

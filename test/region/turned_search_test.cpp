@@ -24,7 +24,7 @@ TEST(TurnedSearch, goodRegionsAreNotExcluded)
       const RegionQuery query = turnedQuery(turned.wish, 2e-3 * machine.scale());
       const LargestRegion region = findLargestRegion(machine, query);
       const BoxTest test(machine, query.criterion, Precision::DOUBLE);
-      const WitnessPoints witnesses(*region.shape, Criterion());
+      const WitnessPoints witnesses(*region.shape, test.zonesToKeepOut());
       CenterTest center_test(test, *region.shape, witnesses);
       RandomBoxes random(SEED);
       for (int k = 0; region.size > 0.0 && k < cases(500); ++k)

@@ -61,5 +61,28 @@ inline RegionQuery turnedQuery(const ShapeWish& wish, double accuracy, PlaceWish
   setPlace(place, query);
   return query;
 }
+/// A wall, a column and a turned box beside the machine's zero configuration: for shapes without thickness no box, for
+/// polytopes only the wall, for the search to end soon.
+inline std::vector<Zone> zonesBeside(const Machine& machine, const std::string& shape)
+{
+  Zone column;
+  column.kind = Zone::Kind::CYLINDER;
+  column.radius = 0.05 * machine.scale();
+  column.height = INF;
+  column.pose.translation = machine.zero() + machine.scale() * Eigen::Vector3d(0.15, 0.1, 0.0);
+  Zone box;
+  box.kind = Zone::Kind::BOX;
+  box.sides = machine.scale() * Eigen::Vector3d(0.2, 0.1, 0.3);
+  box.pose = { { 0.1, 0.2, 0.3, std::sqrt(0.86) },
+               machine.zero() + machine.scale() * Eigen::Vector3d(-0.25, 0.05, 0.05) };
+  Zone wall;
+  wall.use = Zone::Use::KEEP_IN;
+  wall.kind = Zone::Kind::HALF_SPACE;
+  wall.normal = { 0.3, 1.0, 0.1 };
+  wall.pose.translation = machine.zero() - 0.2 * machine.scale() * Eigen::Vector3d::UnitY();
+  return shape == "polytope" ? std::vector<Zone>{ wall }
+         : shape == "square" ? std::vector<Zone>{ wall, column }
+                             : std::vector<Zone>{ wall, column, box };
+}
 }  // namespace test
 }  // namespace pkm_workspace

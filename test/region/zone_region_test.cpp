@@ -211,15 +211,6 @@ TEST(ZoneRegion, liesAtAnotherHeightThanAZoneWithEnds)
   EXPECT_GE(region.size, free.size_upper_bound - 2.1e-2);
 }
 
-TEST(ZoneRegion, isNotTurnedYet)
-{
-  RegionQuery query;
-  query.shape = makeSquare();
-  setTurned(query);
-  query.criterion.zones = { zoneAt(Zone::Use::KEEP_OUT, Zone::Kind::BOX, { 0.1, 0.0, 0.1 }, 0.1) };
-  expectThrow<std::invalid_argument>([&] { findLargestRegion(orthoglide(), query); }, "may be turned");
-}
-
 /// A region that fills a zone: what it may measure is known.
 TEST(ZoneRegion, fillsTheZoneItKeepsWithin)
 {

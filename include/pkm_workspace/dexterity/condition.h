@@ -95,7 +95,8 @@ constexpr double NO_MARGIN = 1e300;
 //   visit(place, visitor)  tells a visitor the forms whose signs decide on the box; nothing where it is not asked for.
 //   A visitor that isSettled() hears no more.
 //     scalar(subject, form, power)      the condition holds where the form, in m^power, is not negative
-//     anyOf(subject, forms, power)      it holds where any of the AlternativeForms is not negative
+//     anyOf(subject, forms, power, enough())  it holds where any of the AlternativeForms is not negative, and nowhere
+//                                       else; so it does where this form is positive
 //     matrix(subject, form)             it holds where the matrix [m^2] is positive semidefinite
 //     sufficient(form)                  it holds where all such matrices are, and maybe elsewhere
 //     necessary(subject, u, v, form)    it holds nowhere where the form is negative, that it has by the vectors u and v

@@ -7,6 +7,7 @@
 
 #include "pkm_workspace/dexterity/box_kernel.h"
 #include "pkm_workspace/dexterity/strut_sphere.h"
+#include "pkm_workspace/dexterity/zone_forms.h"
 
 namespace pkm_workspace
 {
@@ -34,6 +35,9 @@ public:
   /// for.
   const std::vector<StrutSphere>& spheres() const { return spheres_; }
 
+  /// The zones that the tool keeps out of.
+  const std::vector<ZoneToKeepOut>& zonesToKeepOut() const { return keep_out_; }
+
   /// The arithmetic for many boxes at a time.
   const BoxKernel& kernel() const { return *kernel_; }
 
@@ -57,6 +61,7 @@ public:
 private:
   MachineModel<double> model_;
   std::vector<StrutSphere> spheres_;
+  std::vector<ZoneToKeepOut> keep_out_;
   std::shared_ptr<const BoxKernel> kernel_;
   std::shared_ptr<const BoxKernel> precise_kernel_;
   double scale_;  ///< the longest strut [m]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/box.h"
@@ -137,9 +138,23 @@ bool runsAlong(const EnclosedZone& zone, const IntervalVector& e);
 /// Encloses the points that satisfy the zone; all of space where it does not bound them along the axes.
 Box boundsOf(const EnclosedZone& zone);
 
-/// Of a zone to keep out, a point that is proved to lie beneath its surface, hardly farther from p [m] than any other;
-/// nothing where doubles do not tell.
-std::optional<Eigen::Vector3d> pointWithin(const EnclosedZone& zone, const Eigen::Vector3d& p);
+/// A zone that the tool keeps out of, exactly and in floating point.
+struct ZoneToKeepOut
+{
+  EnclosedZone enclosed;
+  PlainZone<double> numbers;
+};
+std::vector<ZoneToKeepOut> zonesToKeepOut(const std::vector<Zone>& zones, double tool_radius);
+
+/// How the zone is seen from axes that are turned about the vertical through the center [m, rad].
+PlainZone<double> turnedBack(const PlainZone<double>& zone, const Eigen::Vector3d& center, double angle);
+/// The point of the zone nearest to p [m]; floating point.
+Eigen::Vector3d nearestOf(const PlainZone<double>& zone, const Eigen::Vector3d& p);
+/// The same of what a round zone is all round: the center of a sphere, the axis of a cylinder.
+Eigen::Vector3d nearestOfCore(const PlainZone<double>& zone, const Eigen::Vector3d& p);
+/// A point that is proved to lie beneath the zone's surface, hardly farther from p [m] than any other; nothing where
+/// doubles do not tell. @param depth how far beneath at the least, in roundings of the largest length
+std::optional<Eigen::Vector3d> pointWithin(const ZoneToKeepOut& zone, const Eigen::Vector3d& p, double depth = 16.0);
 /// The point nearest to p on a surface that lies above its own by so little that a region beside it can be proved.
-Eigen::Vector3d pointAround(const EnclosedZone& zone, const Eigen::Vector3d& p);
+Eigen::Vector3d pointAround(const PlainZone<double>& zone, const Eigen::Vector3d& p);
 }  // namespace pkm_workspace

@@ -204,6 +204,15 @@ inline Real radiusOf(const AffineVector<Real>& v, std::size_t k)
 }
 }  // namespace affine
 
+/// Encloses |v|. Squares that underflow are worth less than 1e-139 of it.
+template <class Real>
+inline Enclosed<Real> enclosedNorm(const std::array<Real, 3>& v)
+{
+  using std::sqrt;
+  const Real norm = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return { norm, affine::widened(Real(1e-139), norm, 8) };
+}
+
 /// One component as a scalar form.
 template <class Real>
 inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)

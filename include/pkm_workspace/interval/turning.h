@@ -64,4 +64,22 @@ private:
   Enclosures share_;                ///< of the center's delta, in that over the box
   std::vector<Enclosures> sweeps_;  ///< of tau, up to a radius that holds what is not affine
 };
+/// The offsets R(-t) (c - p) of a point p from bodies with centers c of a box that are turned by t in [m - d, m + d]
+/// about z, seen from the point along the axes of the bodies: affine in center and tau, to second order. For x = t - m
+/// and v = R(-m) (c - p) each is cos(x) v + tau sin(d) w, where w is v turned by a quarter in the plane xy.
+class TurningOffset
+{
+public:
+  /// @param angles of a width below pi [rad]
+  TurningOffset(const Box& centers, const Interval& angles, const Eigen::Vector3d& point);
+
+  /// Contains all of them [m].
+  const Box& box() const { return box_; }
+  /// What a form over that box says of center and angle.
+  TurningForm formOf(const AffineForm<double>& over_box) const;
+
+private:
+  std::array<TurningForm, 3> coordinates_;
+  Box box_;
+};
 }  // namespace pkm_workspace

@@ -15,6 +15,13 @@ struct Pose
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();       ///< t [m]
 };
 
+/// All p -> R p + t for R and t of the enclosures [m].
+struct EnclosedMotion
+{
+  IntervalMatrix rotation;
+  IntervalVector translation;
+};
+
 /// The norm of a quaternion may be this far from 1: decimals of four digits pass, other things that are not rotations
 /// hardly do.
 constexpr double NORM_TOLERANCE = 1e-3;
@@ -32,6 +39,6 @@ IntervalVector transformed(const Pose& pose, const IntervalVector& p);
 /// the machine itself. Rails count as parallel iff they did before.
 /// @throws std::invalid_argument as rotationOf, and where rounding loses the machine: far away from the frame's origin
 Machine machineInFrame(const Machine& machine, const Pose& pose);
-/// The same for all rotations and translations of the enclosures: what is proved of it holds for each of them.
-Machine machineInFrame(const Machine& machine, const IntervalMatrix& rotation, const IntervalVector& translation);
+/// The same for all of these motions: what is proved of it holds for each of them.
+Machine machineInFrame(const Machine& machine, const EnclosedMotion& motion);
 }  // namespace pkm_workspace

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct Zone
   /// Whether all this is given in the frame of the machine's root link, and not in that of the answer.
   bool in_root = false;
   Pose frame;  ///< where the frame in which it is given stands in the frame of the answer
+  /// How a proof sees the frame of the answer, where that looks from elsewhere; no part of what is asked.
+  std::optional<EnclosedMotion> view;
 };
 
 using ZoneKind = Zone::Kind;

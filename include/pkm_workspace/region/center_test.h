@@ -60,20 +60,20 @@ private:
     TurningForm form;
   };
 
-  /// A point that no region may contain, and the centers in its plane where regions have no thickness.
+  /// A point that no region about one of the centers may contain.
   struct BadPoint
   {
     Eigen::Vector3d point;
     Box centers;
-    bool is_proved;  ///< of all points beside it up to the ends of the centers
   };
 
   void place(const Box& centers, double size, const Interval& angles);
   TurningForm overNode(std::size_t place, const AffineForm<double>& form) const;
   std::optional<Closing> excludes(const Box& centers, double size, const BoxKernel& kernel);
   std::optional<Closing> excludesAlone(const Box& centers, double size, const BoxKernel& kernel);
-  BadPoint alongFlatAxes(const Eigen::Vector3d& known, const Box& centers) const;
+  BadPoint alongThinAxes(const Eigen::Vector3d& known, const Box& centers, double size) const;
   bool addKnown(const Box& centers, double size);
+  std::optional<TurningForm> avoidance(const BadPoint& bad, double size) const;
   bool addTravel(const Box& places, double size);
   bool addNecessary(std::size_t k);
   template <class Term>
@@ -89,13 +89,14 @@ private:
   const RailTravel* travel_;
   const OwnProof* own_;                     ///< of bodies that are not convex, or nullptr
   const std::vector<StrutSphere> spheres_;  ///< none of those
-  std::array<bool, 3> is_flat_;             ///< whether regions have no thickness along this axis
-  std::vector<NecessaryForms> necessary_;   ///< one for each witness point
+  GrowingVector half_extents_;
+  std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<TurningForm> forms_;
   std::vector<AffineForm<double>> travel_forms_;
   std::vector<GrowingVector> between_;  ///< points of the family, exactly, between its extreme points
   CenteredBox<double> box_;             ///< moved by the place of a point, it holds those of its point
   std::vector<GrowingVector> places_;   ///< of the witness points, then of those between
+  Interval angles_ = 0.0;               ///< by which regions may be turned [rad]
   std::optional<TurningBox> turning_;   ///< where regions may be turned: what these two are of
   std::vector<Excess> excesses_;        ///< of the witness points in the cone of a sphere
   std::vector<double> margins_;

@@ -18,7 +18,7 @@ class LocalSearch
 {
 public:
   /// Keeps references: the witness points may grow between calls. @param centers where the center may lie [m]
-  /// @param angles by which regions may be turned, not a single 0 where they are; there are no bad points then [rad]
+  /// @param angles by which regions may be turned, not a single 0 where they are [rad]
   /// @param travel where bad points are those of the places of centers, or nullptr
   LocalSearch(const BoxTest& test, const Shape& shape, const WitnessPoints& witnesses, const Box& centers,
               const Interval& angles = 0.0, const RailTravel* travel = nullptr);
@@ -40,6 +40,7 @@ private:
     Eigen::Vector3d normal;
     double support;  ///< how the normal's support grows with the size
     double depth;    ///< how far inside the point is [m]
+    double turn;     ///< how that grows with the angle [m]
   };
 
   Step assess(const Candidate& candidate);

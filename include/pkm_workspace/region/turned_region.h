@@ -12,10 +12,18 @@ void setTurned(RegionQuery& query);
 /// Whether turns change anything about shapes of a kind.
 bool canTurn(const std::string& kind);
 
-/// The machine in a frame that stands on the vertical through the center, at z = 0, and is turned by the angle from x
-/// to y [rad], or by any other within 2^-50 of it, relative: what is proved of K(h) about (0, 0, center.z) there is
-/// proved of K(h) turned about the center. @throws std::invalid_argument where rounding loses the machine
-Machine machineSeenFrom(const Machine& machine, const Eigen::Vector3d& center, double angle);
+/// A machine, and what is asked of it.
+struct SeenFrom
+{
+  Machine machine;
+  Criterion criterion;
+};
+
+/// The machine and the criterion's zones in a frame that stands on the vertical through the center, at z = 0, and is
+/// turned by the angle from x to y [rad], or by any other within 2^-50 of it, relative: what is proved of K(h) about
+/// (0, 0, center.z) there is proved of K(h) turned about the center. @throws std::invalid_argument where rounding loses
+/// the machine
+SeenFrom seenFrom(const Machine& machine, const Criterion& criterion, const Eigen::Vector3d& center, double angle);
 
 /// settleHeight() of a region that is turned: it moves along rails that are vertical, exactly. Fills in its joint
 /// ranges.

@@ -6,6 +6,7 @@
 #include "pkm_workspace/dexterity/condition.h"
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/dexterity/zone_forms.h"
+#include "pkm_workspace/dexterity/zone_separation.h"
 
 namespace pkm_workspace
 {
@@ -44,8 +45,8 @@ public:
   void visit(const Place& place, Visitor& visitor) const
   {
     const auto keepIn = [&](const AffineForm<Real>& depth) { visitor.scalar({ ConditionKind::KEEP_IN }, depth, 1); };
-    const auto keepOut = [&](const AlternativeForms<Real>& heights) {
-      visitor.anyOf({ ConditionKind::KEEP_OUT }, heights, 1);
+    const auto keepOut = [&](const AlternativeForms<Real>& heights, const auto& separating) {
+      visitor.anyOf({ ConditionKind::KEEP_OUT }, heights, 1, separating);
     };
     eachZone(place.box, keepIn, keepOut);
   }
@@ -54,7 +55,7 @@ public:
   void visitScalar(const Place& place, Visitor& visitor) const
   {
     const auto keepIn = [&](const AffineForm<Real>& depth) { visitor.scalar({ ConditionKind::KEEP_IN }, depth, 1); };
-    const auto keepOut = [&](const AlternativeForms<Real>& heights) {
+    const auto keepOut = [&](const AlternativeForms<Real>& heights, const auto& /*separating*/) {
       visitor.scalar({ ConditionKind::KEEP_OUT }, heights.largest(), 1);
     };
     eachZone(place.box, keepIn, keepOut);
@@ -89,12 +90,14 @@ private:
   static bool isPositive(const AffineForm<Real>& form) { return !any(!(form.lower() > Real(0))); }
 
   /// What holds on all of the box is not told.
-  /// @param keep_in takes the depth beneath a surface @param keep_out takes the heights above all of a zone's surfaces
+  /// @param keep_in takes the depth beneath a surface @param keep_out takes the heights above all of a zone's surfaces,
+  /// and what makes the form of a plane between the box and the zone
   template <class Domain, class KeepIn, class KeepOut>
   void eachZone(const Domain& box, const KeepIn& keep_in, const KeepOut& keep_out) const
   {
-    for (const ZoneOfForms<Real>& zone : forms_)
+    for (std::size_t k = 0; k < forms_.size(); ++k)
     {
+      const ZoneOfForms<Real>& zone = forms_[k];
       AffineVector<Real> offset;
       mapOffset(zone.turn, zone.center, box, offset);
       const std::array<AffineForm<Real>, 3> u = { component(offset, 0), component(offset, 1), component(offset, 2) };
@@ -107,8 +110,9 @@ private:
         else if (!isPositive(depth))
           keep_in(depth);
       });
-      if (zone.use == Zone::Use::KEEP_OUT && !holds)
-        keep_out(heights);
+      if (zone.use == Zone::Use::KEEP_IN || holds)
+        continue;
+      keep_out(heights, [&] { return separatingForm(zone, numbers_[k], u); });
     }
   }
 
