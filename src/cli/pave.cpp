@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "common_options.h"
+#include "mesh_options.h"
 #include "output.h"
 #include "pave_answer.h"
 #include "pkm_workspace/interval/decimal.h"
@@ -48,6 +49,9 @@ public:
            "[m] "
            "and the cluster it is in, no path joins two clusters; clusters, how many; zero_component, the index of the "
            "zero configuration's or null; components_message. "
+           "With --mesh or --outer-mesh, surfaces: inner and outer, each with its triangles, vertices and volume "
+           "[m^3], and "
+           "distance [m], of no point within the outer one more from the inner one's solid. "
            "With --list-boxes, listed: inside and undecided, each a list of boxes x0, x1, y0, y1, z0, z1 [m].";
   }
 
@@ -56,6 +60,7 @@ public:
     return { "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.05 --save paving.pkm",
              "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.02 --resume paving.pkm",
              "pkm pave --urdf orthoglide.urdf --volume-to 1e-4",
+             "pkm pave --urdf orthoglide.urdf --resolution 0.03 --mesh set.stl --outer-mesh around.stl",
              "pkm pave --urdf uranesx.urdf --joint-limits off --resolution 0.01",
              "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1" };
   }
@@ -76,6 +81,7 @@ public:
     declareCriterion(options, query_.criterion, machine_);
     declareBudget(options, query_.budget);
     declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
+    paved_.mesh.declare(options);
     options.text(
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
@@ -120,11 +126,13 @@ public:
     PavingReport& asked = paved_.reports[paved_.asked];
     if (components_)
       asked.components = reportComponents(machine_.machine(), asked.paving, !query_.box, queries[paved_.asked].budget);
+    paved_.mesh.compute(machine_.machine(), queries[paved_.asked]);
     return answerOf(machine_.machine(), paved_);
   }
 
   void save() override
   {
+    paved_.mesh.save(machine_.machine());
     if (save_.empty())
       return;
     std::vector<Paving> pavings;

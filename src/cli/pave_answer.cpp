@@ -144,6 +144,7 @@ Json pavedJson(const Machine& machine, const Paved& paved)
   json["ended_by"] = asked.ended_by.empty() ? Json() : Json(asked.ended_by);
   addLimits(machine, whole.premises.criterion, asked.reaches, json);
   addComponents(asked, json);
+  paved.mesh.addTo(json);
   json["message"] = asked.message(machine);
   return json;
 }
@@ -160,7 +161,7 @@ std::string print(const Machine& machine, const Paved& paved)
   const std::string boundary = ", " + significantAbove(whole.volume_boundary.upper(), 6) + measure.unit;
   const std::string earlier =
       whole.boxes_here == whole.boxes ? "" : " (" + std::to_string(whole.boxes_here) + " of them in this run)";
-  const std::vector<Words> rows = {
+  std::vector<Words> rows = {
     { measure.name, sizeOf(asked) },
     { "own aspect", sizeOf(reports[reports.size() - 2]) },
     { "other aspect", sizeOf(reports.back()) },
@@ -172,6 +173,8 @@ std::string print(const Machine& machine, const Paved& paved)
     { "effort", std::to_string(whole.boxes) + " boxes" + earlier + ", " + std::to_string(asked.size.boxes) +
                     " for the " + measure.name + ", " + seconds(secondsOf(reports)) },
   };
+  for (const Words& row : paved.mesh.rows())
+    rows.push_back(row);
   return "Paving of the points of machine '" + machine.name() + "' that are " + quality(criterion) + "\n\n" +
          aligned(rows, Align::LEFT) + "\n" + wrapped(asked.message(machine)) + printComponents(asked) +
          wrapped(definition(machine, criterion));

@@ -7,6 +7,7 @@
 #include "box_look.h"
 #include "cut_collector.h"
 #include "form_collector.h"
+#include "hull_look.h"
 
 namespace pkm_workspace
 {
@@ -56,6 +57,18 @@ public:
           worst[k] = verdicts[k] == BoxVerdict::UNDECIDED ? laneOf(question.worst, static_cast<int>(lane))
                                                           : AffineForm<double>();
       }
+    }
+  }
+
+  void classify(const SmallHull* hulls, std::size_t count, BoxVerdict* verdicts) const override
+  {
+    const WideRegisters<Real> wide;
+    for (std::size_t first = 0; first < count; first += W)
+    {
+      HullLook<Real> look(hulls + first, count - first);
+      look.visit(model_);
+      for (std::size_t lane = 0; lane < W && first + lane < count; ++lane)
+        verdicts[first + lane] = look.verdict(static_cast<int>(lane));
     }
   }
 

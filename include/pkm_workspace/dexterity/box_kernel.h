@@ -48,6 +48,9 @@ struct NecessaryForms
   std::array<AffineForm<double>, MOST> form;                 ///< without unit
 };
 
+/// The convex hull of points [m]; what is fewer than six has the last one several times.
+using SmallHull = std::array<Eigen::Vector3d, 6>;
+
 /// What is known of the criterion within one box, by planes: it holds where all conditions do.
 struct BoxCuts
 {
@@ -87,6 +90,8 @@ public:
   /// the first form and its origin tell by which leg
   virtual void necessaryForms(const CenteredBox<double>& centers, double size, const GrowingVector* offsets,
                               std::size_t count, NecessaryForms* results, FormOrigin* origins = nullptr) const = 0;
+  /// One look at each hull as a whole, as at boxes.
+  virtual void classify(const SmallHull* hulls, std::size_t count, BoxVerdict* verdicts) const = 0;
   /// What is known within each box.
   virtual void cuts(const Box* boxes, std::size_t count, BoxCuts* results) const = 0;
   /// MachineModel::margin at each of the points [m].

@@ -30,6 +30,41 @@ SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)
   return m;
 }
 
+namespace affine
+{
+/// What goes off the diagonal for the errors of the entries (Gershgorin), and for the roundings of what follows.
+template <class Real>
+inline std::array<Real, 3> diagonalLosses(const SymmetricForms<Real>& m)
+{
+  const Real trace = m[0].magnitude() + m[1].magnitude() + m[2].magnitude();
+  std::array<Real, 6> radius;
+  for (std::size_t k = 0; k < 6; ++k)
+    radius[k] = widened(m[k].radius, m[k].magnitude(), 8);
+  const std::array<Real, 3> row_sum = { radius[0] + (radius[4] + radius[5]), radius[1] + (radius[3] + radius[5]),
+                                        radius[2] + (radius[3] + radius[4]) };
+  return { widened(row_sum[0], trace, 32), widened(row_sum[1], trace, 32), widened(row_sum[2], trace, 32) };
+}
+
+/// Whether all of these matrices have positive pivots.
+template <class Real, std::size_t N>
+inline auto havePositivePivots(const std::array<std::array<Real, N>, 6>& entries)
+{
+  auto definite = Real(1) > Real(0);
+  for (std::size_t c = 0; c < N; ++c)
+  {
+    const Real first = entries[0][c];
+    const Real inverse = Real(1) / first;
+    const Real l10 = entries[5][c] * inverse;
+    const Real l20 = entries[4][c] * inverse;
+    const Real second = entries[1][c] - l10 * entries[5][c];
+    const Real rest = entries[3][c] - l20 * entries[5][c];
+    const Real third = entries[2][c] - l20 * entries[4][c] - rest * (rest / second);
+    definite = definite & (first > Real(0)) & (second > Real(0)) & (third > Real(0));
+  }
+  return definite;
+}
+}  // namespace affine
+
 /// Whether every member of the matrix is proved positive definite on the whole cube.
 ///
 /// A matrix that is affine in delta is positive definite on the cube iff it is at the 8 corners (its quadratic form is
@@ -41,16 +76,11 @@ SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)
 template <class Real>
 auto isPositiveDefinite(const SymmetricForms<Real>& m)
 {
-  const Real trace = m[0].magnitude() + m[1].magnitude() + m[2].magnitude();
-  std::array<Real, 6> radius;
-  for (std::size_t k = 0; k < 6; ++k)
-    radius[k] = affine::widened(m[k].radius, m[k].magnitude(), 8);
-  const std::array<Real, 3> row_sum = { radius[0] + (radius[4] + radius[5]), radius[1] + (radius[3] + radius[5]),
-                                        radius[2] + (radius[3] + radius[4]) };
+  const std::array<Real, 3> losses = affine::diagonalLosses(m);
   std::array<std::array<Real, 8>, 6> corner;
   for (std::size_t k = 0; k < 6; ++k)
   {
-    const Real center = k < 3 ? m[k].center - affine::widened(row_sum[k], trace, 32) : m[k].center;
+    const Real center = k < 3 ? m[k].center - losses[k] : m[k].center;
     for (std::size_t x = 0; x < 2; ++x)
       for (std::size_t y = 0; y < 2; ++y)
       {
@@ -60,19 +90,21 @@ auto isPositiveDefinite(const SymmetricForms<Real>& m)
         corner[k][4 * x + 2 * y + 1] = along_xy + m[k].gradient[2];
       }
   }
-  auto definite = Real(1) > Real(0);
-  for (std::size_t c = 0; c < 8; ++c)
-  {
-    const Real first = corner[0][c];
-    const Real inverse = Real(1) / first;
-    const Real l10 = corner[5][c] * inverse;
-    const Real l20 = corner[4][c] * inverse;
-    const Real second = corner[1][c] - l10 * corner[5][c];
-    const Real rest = corner[3][c] - l20 * corner[5][c];
-    const Real third = corner[2][c] - l20 * corner[4][c] - rest * (rest / second);
-    definite = definite & (first > Real(0)) & (second > Real(0)) & (third > Real(0));
-  }
-  return definite;
+  return affine::havePositivePivots(corner);
+}
+
+/// The same on the convex hull of points delta of the cube.
+template <class Real, std::size_t N>
+auto isPositiveDefinite(const SymmetricForms<Real>& m, const std::array<std::array<Real, 3>, N>& points)
+{
+  const std::array<Real, 3> losses = affine::diagonalLosses(m);
+  std::array<std::array<Real, N>, 6> corner;
+  for (std::size_t k = 0; k < 6; ++k)
+    for (std::size_t c = 0; c < N; ++c)
+      corner[k][c] =
+          (k < 3 ? m[k].center - losses[k] : m[k].center) +
+          (m[k].gradient[0] * points[c][0] + m[k].gradient[1] * points[c][1] + m[k].gradient[2] * points[c][2]);
+  return affine::havePositivePivots(corner);
 }
 
 /// Whether the matrix at delta = 0 has positive leading minors: floating point, no proof.
