@@ -80,7 +80,8 @@ public:
     require(form);
   }
 
-  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/)
+  template <class Enough>
+  void anyOf(const Subject& /*subject*/, const AlternativeForms<Real>& forms, int /*power*/, const Enough& enough)
   {
     Mask holds = !everywhere(), fails = everywhere();
     for (std::size_t k = 0; k < forms.count; ++k)
@@ -89,6 +90,8 @@ public:
       fails = fails & (leastOf(-forms.form[k]) > Real(0.0));
     }
     outside_ = outside_ | fails;
+    if (any(inside_ & !(holds | outside_)))
+      holds = holds | (leastOf(enough()) > Real(0.0));
     inside_ = inside_ & holds;
   }
 
