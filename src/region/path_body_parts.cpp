@@ -120,11 +120,18 @@ bool PathBody::Proof::isCovered(const Box& box, const Gathering& into)
   return box.isValid() && common.lower == box.lower && common.upper == box.upper;
 }
 
-/// Keeps the parts that may have points in the box, and what is around them.
+bool PathBody::Proof::isSamePoint(const Part& a, const Part& b)
+{
+  return a.path.level == 0 && b.path.level == 0 && a.path.index == b.path.index && a.path.first == a.path.last &&
+         a.path.first == b.path.first && b.path.first == b.path.last && a.low == b.low && a.high == b.high;
+}
+
+/// Keeps the parts that may have points in the box, and what is around them. What a part that others rely on has to
+/// prove for them is covered as its own points are: else what it covered would be nowhere.
 void PathBody::Proof::gather(const Part& part, Gathering& into) const
 {
   const Box exact = placed(part);
-  if (isCovered(intersection(thickened(exact, reach_), into.within), into))
+  if (isCovered(intersection(thickened(exact, reachOf(part)), into.within), into))
     return;
   const Box box = thickened(exact, generous_);
   const Box common = intersection(box, into.within);
@@ -147,10 +154,14 @@ void PathBody::Proof::gatherCovered(const Part* first, const Part* last, Gatheri
   into.cover = nowhere();
   if (best.share > 0.0)
   {
+    best.point.is_relied_on = true;
     into.cover = coveredBy(placed(best.point));
     into.keep(best.point, intersection(thickened(placed(best.point), generous_), into.within));
   }
-  std::for_each(first, last, [&](const Part& part) { gather(part, into); });
+  std::for_each(first, last, [&](const Part& part) {
+    if (best.share == 0.0 || !isSamePoint(part, best.point))
+      gather(part, into);
+  });
 }
 
 /// Whether what the joints do at a point depends on the move only, and not on where on it the point is.

@@ -27,6 +27,8 @@ public:
     PathTree::Part path;
     double low;
     double high;
+    /// Whether its points are proved to be good when they are moved by the generous reach, as others rely on it.
+    bool is_relied_on = false;
   };
   using Parts = std::vector<Part>;
   /// A box that holds all that the parts have in another one which holds this one.
@@ -83,6 +85,8 @@ private:
   void seekCover(const Part& part, const Box& within, Cover& best) const;
   void gatherCovered(const Part* first, const Part* last, Gathering& into) const;
   bool isLine(const Part& part) const;
+  double reachOf(const Part& part) const { return part.is_relied_on ? generous_ : reach_; }
+  static bool isSamePoint(const Part& a, const Part& b);
   static bool isCovered(const Box& box, const Gathering& into);
   void gather(const Part& part, Gathering& into) const;
   bool isLarge(const Part& part, const Box& placed, const Box& within) const;
@@ -125,10 +129,12 @@ void PathBody::Proof::halve(const Part& part, const Use& use) const
   if (sweepOf(part) > part.high * moves_.box(part.path).maxWidth())
   {
     const double middle = half(part.low, part.high);
-    use(Part{ part.path, part.low, middle });
-    use(Part{ part.path, middle, part.high });
+    use(Part{ part.path, part.low, middle, part.is_relied_on });
+    use(Part{ part.path, middle, part.high, part.is_relied_on });
   }
   else
-    moves_.divide(part.path, [&](const PathTree::Part& path) { use(Part{ path, part.low, part.high }); });
+    moves_.divide(part.path, [&](const PathTree::Part& path) {
+      use(Part{ path, part.low, part.high, part.is_relied_on });
+    });
 }
 }  // namespace pkm_workspace
