@@ -73,8 +73,8 @@ class Fuzz(CommandTest):
         for command in re.findall(r"(?m)^  ([a-z]+)  ", self.text("--help")):
             options = self.options(command)
             self.assertGreater(len(options), 3, command)
-            options.pop("output", None)
-            options.pop("save", None)
+            for writes in ("output", "save", "mesh", "outer-mesh"):
+                options.pop(writes, None)
             for _ in range(CASES):
                 answered += self.assertAtNoLoss(command, *self.words(chance, options))
         print(f"{answered} answered")

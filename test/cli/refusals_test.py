@@ -19,7 +19,7 @@ URANESX_STUDY = "study --machine uranesx --parameter R-r "
 # command line, and a regular expression for a line of standard error
 REFUSALS = [
     ("", "a command is missing"),
-    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, pave, connect, compare, study, "
+    ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, place, pave, connect, compare, study, "
              "singularities, guarantee, conditioning, urdf"),
     ("-h", "'-h' is not a command"),
     (f"connect --urdf {ORTHOGLIDE}", "--to X Y Z: the option is missing"),
