@@ -61,7 +61,7 @@ std::vector<Case> cases(const Eigen::Vector3d& zero)
   return {
     { OURS + std::string(", psi only"), Criterion() },
     with("force factors", [](Criterion& c) { c.force_min = 0.55; }),
-    with("condition number", [](Criterion& c) { c.kappa_max = 3.0; }),
+    with("condition number", [](Criterion& c) { c.kappa_max = 3.2; }),
     with("tool speed", [](Criterion& c) { c.tool_speed_min = 0.45; }),
     with("tool force", [](Criterion& c) { c.tool_force_min = 155.0; }),
     with("stiffness", [](Criterion& c) { c.stiffness_min = 3e5; }),
@@ -70,7 +70,7 @@ std::vector<Case> cases(const Eigen::Vector3d& zero)
     with("all of these together",
          [](Criterion& c) {
            c.force_min = 0.55;
-           c.kappa_max = 3.0;
+           c.kappa_max = 3.2;
            c.tool_speed_min = 0.45;
            c.tool_force_min = 155.0;
            c.stiffness_min = 3e5;
