@@ -50,12 +50,12 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 }
 }  // namespace
 
-void Job::declare(Options& options)
+void Job::declare(Options& options, bool lists_lines)
 {
   options.text(
       "gcode", file_, "FILE",
-      "job in G-code, in place of a file (docs/gcode.md lists what is read): each move at its feed, every line "
-      "that offends is listed");
+      std::string("job in G-code, in place of a file (docs/gcode.md lists what is read): each move at its feed") +
+          (lists_lines ? ", every line that offends is listed" : ""));
   options.words("origin", "X Y Z",
                 "where the controller's zero is, in the frame of the root link [m]; 0 0 0 without it",
                 [this](const Words& words) { setup_.origin = pointOf(words, 0); });
@@ -78,7 +78,8 @@ void Job::declare(Options& options)
                   if (!setup_.rapids_have_feed)
                     rapid_feed_ = readNumbers(words, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL })[0];
                 });
-  options.count("most-listed", most_listed_, MOST_OFFENCES, "offending lines of a job that are listed");
+  if (lists_lines)
+    options.count("most-listed", most_listed_, MOST_OFFENCES, "offending lines of a job that are listed");
   options.check({ "gcode" }, [this, &options](Problems& problems) {
     for (const char* const name : { "origin", "tool-at", "work-offset", "tool-length", "rapid-feed", "most-listed" })
       if (!isGiven() && options.given(name))
@@ -159,7 +160,7 @@ void Job::keep(const SegmentCheck& check)
     listed_.push_back({ check.verdict, *check.offence });
 }
 
-void Job::addTo(const Machine& machine, Json& json) const
+void Job::addTo(Json& json) const
 {
   json["lines"] = lines_;
   json["moves"] = summary_.moves;
@@ -167,6 +168,10 @@ void Job::addTo(const Machine& machine, Json& json) const
   json["first_unknown"] = summary_.first_unknown == 0 ? Json() : Json(summary_.first_unknown);
   json["moves_without_feed"] = without_feed_;
   json["ignored"] = summary_.ignored;
+}
+
+void Job::addOffencesTo(const Machine& machine, Json& json) const
+{
   json["outside"] = outside_;
   json["undecided"] = undecided_;
   json["offences"] = Json::array();
@@ -185,12 +190,16 @@ void Job::addRows(std::vector<Words>& rows) const
 {
   rows.push_back({ "lines", std::to_string(lines_) });
   rows.push_back({ "moves", std::to_string(summary_.moves) });
-  rows.push_back({ "offending lines", std::to_string(outside_ + undecided_) });
   Words ignored;
   for (const auto& [word, count] : summary_.ignored)
     ignored.push_back(word + " (" + std::to_string(count) + ")");
   if (!ignored.empty())
     rows.push_back({ "ignored", joined(ignored, ", ") });
+}
+
+void Job::addOffenceRows(std::vector<Words>& rows) const
+{
+  rows.push_back({ "offending lines", std::to_string(outside_ + undecided_) });
 }
 
 std::string Job::offences(const Machine& machine) const

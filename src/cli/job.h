@@ -22,14 +22,18 @@ namespace cli
 class Job
 {
 public:
-  void declare(Options& options);
+  /// @param lists_lines whether there is something to list of its lines
+  void declare(Options& options, bool lists_lines);
   bool isGiven() const { return !file_.empty(); }
 
   /// Makes the task about the job. @param progress is told how far it has come; both have to outlive the task
   void describeTo(PathTask& task, Progress& progress);
-  /// After the task.
-  void addTo(const Machine& machine, Json& json) const;
+  /// After the task: what the job is.
+  void addTo(Json& json) const;
   void addRows(std::vector<Words>& rows) const;
+  /// After the check of a path: which of its lines offend.
+  void addOffencesTo(const Machine& machine, Json& json) const;
+  void addOffenceRows(std::vector<Words>& rows) const;
   /// One sentence for each line that offends, and for those that are not listed.
   std::string offences(const Machine& machine) const;
   /// What the message of the path leaves open.

@@ -2,6 +2,7 @@
 #include "mesh_options.h"
 
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "common_options.h"
@@ -20,13 +21,24 @@ Json meshJson(const Mesh& mesh)
   return { { "triangles", mesh.triangles.size() }, { "vertices", mesh.vertices.size() }, { "volume", toJson(volume) } };
 }
 
-std::string meshText(const Mesh& mesh)
+bool isSameFile(const std::string& a, const std::string& b)
 {
-  return std::to_string(mesh.triangles.size()) + " triangles around " + nearly(mesh.volume().mid(), 6) + " m^3";
+  const auto whole = [](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  return !a.empty() && !b.empty() && whole(a) == whole(b);
+}
+
+/// @param down whether the volume is told as a lower bound, or as an upper one
+std::string meshText(const Mesh& mesh, bool down)
+{
+  const Interval volume = mesh.volume();
+  return std::to_string(mesh.triangles.size()) + " triangles around " +
+         (down ? significantBelow(volume.lower(), 6) : significantAbove(volume.upper(), 6)) + " m^3";
 }
 }  // namespace
 
-void MeshOptions::declare(Options& options)
+void MeshOptions::declare(Options& options, const std::string& other)
 {
   declareOutput(options, "mesh", inner_,
                 "file for a closed surface [m] in the aspect that is asked for, STL or PLY by its ending: all points "
@@ -38,6 +50,13 @@ void MeshOptions::declare(Options& options)
       if (!path->empty() && !isMeshFile(*path))
         problems.push_back("the name must end in .stl or .ply");
     });
+  options.check({ "mesh", "outer-mesh", "save" }, [this, &other](Problems& problems) {
+    if (isSameFile(inner_, outer_))
+      problems.push_back("--mesh and --outer-mesh are one file, " + inner_ + ": give two names");
+    for (const std::string& mesh : { inner_, outer_ })
+      if (isSameFile(mesh, other))
+        problems.push_back("a surface and --save are one file, " + mesh + ": give two names");
+  });
 }
 
 void MeshOptions::compute(const Machine& machine, const PavingQuery& query)
@@ -51,18 +70,22 @@ void MeshOptions::compute(const Machine& machine, const PavingQuery& query)
   wanted.budget = query.budget;
   meshes_ = setMeshes(machine, wanted);
   if (!meshes_->complete)
-    throw std::invalid_argument(
-        "the surface was not proved within the limits: " + query.budget.endedBy(meshes_->seconds, 0) +
-        " ended it; give more time or a coarser resolution");
-  if (!inner_.empty() && meshes_->inner.triangles.empty())
-    throw std::invalid_argument(
-        "no part of the set is proved at this resolution: there is no surface to write; give a "
-        "finer resolution");
+    why_none_ = "the surface was not proved within the limits: " + query.budget.endedBy(meshes_->seconds, 0) +
+                " ended it; give more time or a coarser --resolution";
+  else if (meshes_->outer.triangles.empty())
+    why_none_ = "no point of the box belongs to the set: there is no surface";
+  else if (!inner_.empty() && meshes_->inner.triangles.empty())
+    why_none_ = "no part of the set is proved at a resolution of " + exact(query.resolution) +
+                " m: there is no inner surface; give a finer --resolution";
 }
 
 void MeshOptions::addTo(Json& json) const
 {
-  if (meshes_)
+  if (!meshes_)
+    return;
+  if (!why_none_.empty())
+    json["surfaces"] = Json();
+  else
     json["surfaces"] = { { "inner", meshJson(meshes_->inner) },
                          { "outer", meshJson(meshes_->outer) },
                          { "distance", finite(meshes_->distance) },
@@ -71,17 +94,20 @@ void MeshOptions::addTo(Json& json) const
 
 std::vector<Words> MeshOptions::rows() const
 {
-  if (!meshes_)
+  if (!meshes_ || !why_none_.empty())
     return {};
-  return { { "inner surface", meshText(meshes_->inner) },
-           { "outer surface", meshText(meshes_->outer) + ", nowhere farther than " +
-                                  significantAbove(meshes_->distance, 3) + " m from the inner one" } };
+  return { { "inner surface", meshText(meshes_->inner, true) },
+           { "outer surface", meshText(meshes_->outer, false) + ", nowhere farther than " +
+                                  significantAbove(meshes_->distance, 3) + " m from the inner one's solid" },
+           { "their effort", seconds(meshes_->seconds) } };
 }
 
 void MeshOptions::save(const Machine& machine) const
 {
   if (!meshes_)
     return;
+  if (!why_none_.empty())
+    throw std::invalid_argument(why_none_);
   const std::string title = machine.name() + ", pkm_workspace, m, ";
   if (!inner_.empty())
     saveMesh(inner_, meshes_->inner, title + "within: " + describe(criterion_));

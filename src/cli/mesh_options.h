@@ -16,20 +16,23 @@ namespace cli
 class MeshOptions
 {
 public:
-  void declare(Options& options);
+  /// @param other file that will be written, too
+  void declare(Options& options, const std::string& other);
   bool areAsked() const { return !inner_.empty() || !outer_.empty(); }
 
-  /// @throws std::invalid_argument where there are none
+  /// Where there are none, save() says why.
   void compute(const Machine& machine, const PavingQuery& query);
   /// Nothing where they are not asked for.
   void addTo(Json& json) const;
   std::vector<Words> rows() const;
+  /// @throws std::invalid_argument where there are none, or a file cannot be written
   void save(const Machine& machine) const;
 
 private:
   std::string inner_;
   std::string outer_;
   std::optional<SetMeshes> meshes_;
+  std::string why_none_;
   Criterion criterion_;
 };
 }  // namespace cli

@@ -73,7 +73,10 @@ public:
     json["looks"] = result.looks;
     json["end"] = endName(result.end);
     if (source_.job().isGiven())
-      source_.job().addTo(machine, json);
+    {
+      source_.job().addTo(json);
+      source_.job().addOffencesTo(machine, json);
+    }
     else
     {
       json["tool_speed"] = report.query.tool_speed;
@@ -158,7 +161,10 @@ private:
     const PathResult& result = report.result;
     std::vector<Words> rows = { { "verdict", name(result.verdict) } };
     if (source_.job().isGiven())
+    {
       source_.job().addRows(rows);
+      source_.job().addOffenceRows(rows);
+    }
     if (result.motion)
       addMotion(*result.motion, machine_.machine(), rows);
     if (result.rates)

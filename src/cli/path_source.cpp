@@ -15,7 +15,7 @@ void PathSource::declare(Options& options, const Words& others)
     path_.read(words[0], problems);
     throwProblems(problems);
   });
-  job_.declare(options);
+  job_.declare(options, others.empty());
   Words names = { "file", "segment", "gcode" };
   names.insert(names.end(), others.begin(), others.end());
   options.check(names, [this, &options, others](Problems& problems) { finish(options, others, problems); });

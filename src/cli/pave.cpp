@@ -81,7 +81,7 @@ public:
     declareCriterion(options, query_.criterion, machine_);
     declareBudget(options, query_.budget);
     declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
-    paved_.mesh.declare(options);
+    paved_.mesh.declare(options, save_);
     options.text(
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
@@ -132,13 +132,14 @@ public:
 
   void save() override
   {
+    if (!save_.empty())
+    {
+      std::vector<Paving> pavings;
+      for (PavingReport& report : paved_.reports)
+        pavings.push_back(std::move(report.paving));
+      savePavings(save_, pavings);
+    }
     paved_.mesh.save(machine_.machine());
-    if (save_.empty())
-      return;
-    std::vector<Paving> pavings;
-    for (PavingReport& report : paved_.reports)
-      pavings.push_back(std::move(report.paving));
-    savePavings(save_, pavings);
   }
 
 private:
@@ -170,7 +171,8 @@ private:
       PavingQuery query = query_;
       query.criterion.aspect = aspect;
       const std::size_t shares = aspects().size() + (components_ ? Components::BYTES_A_BOX : 0);
-      query.budget = query_.budget.inTurns(static_cast<double>(aspects().size())).sharedBy(shares);
+      const std::size_t turns = aspects().size() + (paved_.mesh.areAsked() ? 1 : 0);
+      query.budget = query_.budget.inTurns(static_cast<double>(turns)).sharedBy(shares);
       queries.push_back(query);
     }
     return queries;

@@ -26,6 +26,17 @@ Json scaleJson(const LargestScale& largest)
            { "seconds", largest.search.seconds } };
 }
 
+std::string effortOf(const LargestRegion& search)
+{
+  return std::to_string(search.boxes) + " boxes of translations, " + seconds(search.seconds);
+}
+
+/// Of all joints; null where there is none.
+Json limitsJson(const std::array<double, 3>& limits)
+{
+  return Json::array({ finite(limits[0]), finite(limits[1]), finite(limits[2]) });
+}
+
 class Place : public Command
 {
 public:
@@ -37,7 +48,7 @@ public:
            "margins of all translations is proved, too, or that there is no such translation. Joint speeds at the "
            "feeds of a "
            "job, or at --tool-speed, count as pkm path has them. With --largest-scale also how much larger the path "
-           "or the part may be. Nothing is turned. A path is written in lines: " +
+           "or the part may be. Nothing is turned. The translation adds to --origin. A path is written in lines: " +
            std::string(PATH_GRAMMAR) + ". Ctrl-C ends the search with the best proved so far.";
   }
 
@@ -61,10 +72,14 @@ public:
     options.flag(
         "largest-scale", task_.query.wants_scale,
         "find the largest scale, too, up to which all points of the path or part are dextrous at every scale in "
-        "one place; feeds do not count");
+        "one place; feeds do not count. It takes up to --time-limit once more");
     options.vector("reference", task_.reference, "X Y Z", LENGTH,
-                   "point about which it is scaled; the middle of its bounds without it, with --base-z at their foot");
-    options.number("accuracy", accuracy_, LENGTH_POSITIVE, "largest difference between the margin and its upper bound");
+                   "point about which it is scaled; without it the middle of the bounds of a path, with --base-z "
+                   "of their lowest face, and the mean of the vertices of a part, with --base-z of the lowest ones");
+    options.number(
+        "accuracy", accuracy_, LENGTH_POSITIVE,
+        "largest difference between the margin and its upper bound; without it, 1e-4 of the longest strut, to one "
+        "digit");
     options.number("scale-accuracy", task_.query.scale_accuracy, NUMBER_POSITIVE, "the same of the largest scale");
     declareCriterion(options, task_.query.criterion, machine_);
     declareBudget(options, task_.query.budget);
@@ -77,7 +92,7 @@ public:
     options.check({ "vertices" }, [&options](Problems& problems) {
       for (const char* const name : { "tool-speed", "joint-speeds-off", "joint-acceleration-max" })
         if (options.given(name) && options.given("vertices"))
-          problems.push_back("--" + std::string(name) + " is without effect: it is about a path");
+          problems.push_back("--" + std::string(name) + " is without effect: a part of --vertices has no speed");
     });
   }
 
@@ -98,10 +113,12 @@ public:
     task_.query.accuracy = accuracy_.value_or(0.1 * defaultAccuracy(machine));
     task_.query.budget.stop = stopOnSignal();
     task_.query.progress = [&progress](const RegionProgress& state) {
-      progress.tell("margin or growth " + bracket(state.size, state.size_upper_bound) + ", " +
+      progress.tell("margin [m], or growth of the scale " + bracket(state.size, state.size_upper_bound) + ", " +
                     std::to_string(state.boxes_done) + " boxes done, " + std::to_string(state.boxes_open) + " open");
     };
-    const PlacementReport report = place(machine, task_);
+    PlacementReport report = place(machine, task_);
+    if (source_.job().isGiven())
+      report.message = withRemark(report.message, source_.job().remark());
     return { toJson(report), print(report) };
   }
 
@@ -118,10 +135,16 @@ private:
     json["translations"] =
         report.placement.translations.isValid() ? cli::toJson(report.placement.translations) : Json();
     json["holds_limits"] = report.query.limits.any();
+    json["joint_speed_limits"] = limitsJson(report.query.limits.speed);
+    json["joint_acceleration_limits"] = limitsJson(report.query.limits.acceleration);
+    json["tool_speed"] = task_.rates.tool_speed ? Json(*task_.rates.tool_speed) : Json();
+    json["reference"] = cli::toJson(report.query.workpiece->reference);
     json["largest_scale"] = report.placement.largest ? scaleJson(*report.placement.largest) : Json();
     json["boxes"] = found.boxes;
     json["verification_boxes"] = found.verification_boxes;
     json["seconds"] = found.seconds;
+    if (source_.job().isGiven())
+      source_.job().addTo(json);
     json["message"] = report.message;
     return json;
   }
@@ -134,11 +157,17 @@ private:
     std::vector<Words> rows = { { "status", name(found.status) } };
     if (found.size > 0.0)
       rows.push_back({ "translation", pkm_workspace::cli::describe(found.center) });
+    if (source_.job().isGiven())
+      source_.job().addRows(rows);
     rows.push_back({ "margin [m]", roundedDown(found.size, decimals) });
     rows.push_back({ "upper bound", roundedUp(found.size_upper_bound, decimals) });
+    rows.push_back({ "effort", effortOf(found) });
     if (const auto& largest = report.placement.largest)
-      rows.push_back({ "largest scale", bracket(largest->scale, largest->upper_bound) });
-    rows.push_back({ "effort", std::to_string(found.boxes) + " boxes of translations, " + seconds(found.seconds) });
+    {
+      rows.push_back(
+          { "largest scale", bracket(largest->scale, largest->upper_bound) + ", " + name(largest->search.status) });
+      rows.push_back({ "its effort", effortOf(largest->search) });
+    }
     return "Placement for machine '" + machine.name() + "'\n\n" + aligned(rows, Align::LEFT) + "\n" +
            wrapped(report.message) + wrapped(definition(machine, report.query.criterion));
   }

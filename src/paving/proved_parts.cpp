@@ -170,6 +170,8 @@ std::vector<ProvedSolid::Id> ProvedSolid::failing(const std::vector<Id>& cubes) 
     std::vector<SmallHull> hulls(last - first);
     std::array<std::size_t, TOGETHER> corners;
     std::array<BoxVerdict, TOGETHER> verdicts;
+    if (budget_.isOver())
+      return;
     for (std::size_t k = first; k < last; ++k)
       corners[k - first] = part(tetrahedra[k], hulls[k - first]);
     test_.kernel().classify(hulls.data(), last - first, verdicts.data());

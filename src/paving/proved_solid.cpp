@@ -35,6 +35,8 @@ bool ProvedSolid::prove()
   while (!cubes.empty() && !budget_.isOver())
   {
     const std::vector<Id> bad = failing(cubes);
+    if (budget_.isOver())
+      break;
     retreat(bad);
     cubes.clear();
     for (const Id vertex : bad)
@@ -127,8 +129,10 @@ double ProvedSolid::marginAt(const Vector3d& point, double margin) const
 std::vector<double> ProvedSolid::margins(const std::vector<Vector3d>& points) const
 {
   std::vector<double> found(points.size());
-  inChunks(pool_, points.size(),
-           [&](std::size_t first, std::size_t last) { marginsAt(&points[first], last - first, &found[first]); });
+  inChunks(pool_, points.size(), [&](std::size_t first, std::size_t last) {
+    if (!budget_.isOver())  // otherwise nothing comes of them
+      marginsAt(&points[first], last - first, &found[first]);
+  });
   return found;
 }
 

@@ -80,7 +80,7 @@ std::vector<Vector3d> cornersAlong(const Vector3d& direction)
 Box Workpiece::bounds() const
 {
   if (!solid)
-    return moves.box(moves.all());
+    return moves.bounds();
   Box box{ Vector3d::Constant(INF), Vector3d::Constant(-INF) };
   for (const GrowingVector& corner : solid->extremePoints())
   {

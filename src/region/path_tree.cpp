@@ -5,6 +5,13 @@
 
 namespace pkm_workspace
 {
+namespace
+{
+/// How far bounds may be beyond the moves, relative to the farthest coordinate.
+constexpr double TIGHT = 1e-13;
+constexpr double SHORTEST_PATH = 1e-150;  ///< [m]
+}  // namespace
+
 void PathTree::add(const Curve& curve, const Interval& tool_speed)
 {
   curves_.push_back(curve);
@@ -45,6 +52,37 @@ Box PathTree::box(const Part& part) const
     box.upper[k] = form.upper();
   }
   return box;
+}
+
+Box PathTree::bounds() const
+{
+  Box bounds{ Eigen::Vector3d::Constant(INF), Eigen::Vector3d::Constant(-INF) };
+  const auto widen = [&bounds](const Box& box) {
+    bounds = { bounds.lower.cwiseMin(box.lower), bounds.upper.cwiseMax(box.upper) };
+  };
+  for (std::uint32_t index = 0; index < curves_.size(); ++index)
+    for (const double t : { 0.0, 1.0 })
+      widen(box({ 0, index, t, t }));
+  const double tolerance =
+      TIGHT * std::max({ bounds.lower.cwiseAbs().maxCoeff(), bounds.upper.cwiseAbs().maxCoeff(), SHORTEST_PATH });
+  std::vector<Part> open;
+  for (std::uint32_t index = 0; index < curves_.size(); ++index)
+    for (open.push_back({ 0, index }); !open.empty();)
+    {
+      const Part part = open.back();
+      open.pop_back();
+      const Box around = box(part);
+      const double over = std::max((bounds.lower - around.lower).maxCoeff(), (around.upper - bounds.upper).maxCoeff());
+      const double middle = 0.5 * part.first + 0.5 * part.last;
+      if (over <= tolerance || !(part.first < middle && middle < part.last))
+        widen(around);
+      else
+      {
+        widen(box({ 0, index, middle, middle }));
+        open.insert(open.end(), { { 0, index, part.first, middle }, { 0, index, middle, part.last } });
+      }
+    }
+  return bounds;
 }
 
 Interval PathTree::speed(const Part& part) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/report/placement_sentence.h"
 
+#include <algorithm>
+
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/decimal.h"
 
@@ -13,11 +15,26 @@ std::string pieceOf(const PlacementQuery& query)
   return query.workpiece->solid ? "part" : "path";
 }
 
-/// "every point of the path is dextrous, and the joints keep within their limits of speed and acceleration".
+/// ", and at 0.3 m/s the joints keep within their limits of speed and acceleration", of those that they have.
+std::string rates(const PlacementQuery& query)
+{
+  const auto has = [](const std::array<double, 3>& limits) {
+    return std::any_of(limits.begin(), limits.end(), [](double limit) { return limit < INF; });
+  };
+  const bool has_speed = has(query.limits.speed), has_acceleration = has(query.limits.acceleration);
+  if (!has_speed && !has_acceleration)
+    return "";
+  const PathTree& moves = query.workpiece->moves;
+  const Interval speed = moves.speed(moves.all());
+  return ", and at " + (speed.isSingle() ? exact(speed.lower()) + " m/s" : "its feeds") +
+         " the joints keep within their limits of " + (has_speed ? "speed" : "") +
+         (has_speed && has_acceleration ? " and " : "") + (has_acceleration ? "acceleration" : "");
+}
+
+/// "every point of the path is dextrous, and at 0.3 m/s the joints keep within their limits of speed".
 std::string goodness(const PlacementQuery& query)
 {
-  return "every point of the " + pieceOf(query) + " is " + quality(query.criterion) +
-         (query.limits.any() ? ", and the joints keep within their limits of speed and acceleration" : "");
+  return "every point of the " + pieceOf(query) + " is " + quality(query.criterion) + rates(query);
 }
 
 std::string marginSentence(const LargestRegion& found, const PlacementQuery& query)
@@ -33,6 +50,11 @@ std::string marginSentence(const LargestRegion& found, const PlacementQuery& que
          " Whether one has any is not decided.";
 }
 
+std::string placeOf(const Eigen::Vector3d& p)
+{
+  return "(" + exact(p.x()) + ", " + exact(p.y()) + ", " + exact(p.z()) + ") m";
+}
+
 std::string scaleSentence(const LargestScale& largest, const PlacementQuery& query)
 {
   const int decimals = decimalsFor(largest.scale, largest.upper_bound);
@@ -41,9 +63,10 @@ std::string scaleSentence(const LargestScale& largest, const PlacementQuery& que
   const std::string bound = roundedUp(largest.upper_bound, decimals);
   if (largest.scale == 0.0)
     return " Proved: no translation is such that " + good + from + "one above " + bound + ".";
-  const Eigen::Vector3d& t = largest.translation;
-  return " Proved: moved by (" + exact(t.x()) + ", " + exact(t.y()) + ", " + exact(t.z()) + ") m, " + good + from +
-         roundedDown(largest.scale, decimals) + "; no translation that may be chosen allows one above " + bound + ".";
+  return " Proved: scaled about " + placeOf(query.workpiece->reference) + " and then moved by " +
+         placeOf(largest.translation) + ", " + good + from + roundedDown(largest.scale, decimals) +
+         "; no translation that may be chosen allows one above " + bound + "." +
+         (query.limits.any() ? " Speeds do not count for the scale." : "");
 }
 }  // namespace
 

@@ -60,8 +60,13 @@ std::string describeRates(const PathResult& result, const PathQuery& query, cons
   if (result.rates && query.limits.any())
     say(feedSentence(result, machine, place));
   if (query.holds_limits || query.wants_rates)
-    say(speeds_off ? "Joint speeds are not held against a limit: they are left aside."
-                   : withoutLimit(query.limits.speed, machine));
+    say(speedsNotHeld(query.limits, machine, speeds_off));
   return text;
+}
+
+std::string speedsNotHeld(const JointRateLimits& limits, const Machine& machine, bool speeds_off)
+{
+  return speeds_off ? "Joint speeds are not held against a limit: they are left aside."
+                    : withoutLimit(limits.speed, machine);
 }
 }  // namespace pkm_workspace

@@ -9,6 +9,7 @@
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/polytope.h"
 #include "pkm_workspace/report/placement_sentence.h"
+#include "pkm_workspace/report/rates_sentence.h"
 
 namespace pkm_workspace
 {
@@ -120,8 +121,9 @@ PlacementReport place(const Machine& machine, const PlacementTask& task)
   if (task.base_z)
     standOn(*task.base_z, workpiece->lowest(), report.query);
   report.placement = findPlacement(machine, report.query);
-  report.message =
-      withRemark(describe(report.placement, report.query), remarkOnLimits(machine, task.query.criterion, std::nullopt));
+  report.message = withRemark(describe(report.placement, report.query),
+                              task.rates.isHeld() ? speedsNotHeld(limits, machine, task.rates.joint_speeds_off) : "");
+  report.message = withRemark(report.message, remarkOnLimits(machine, task.query.criterion, std::nullopt));
   return report;
 }
 }  // namespace pkm_workspace

@@ -74,6 +74,24 @@ class Place(CommandTest):
         self.assertEqual(low["status"], "none" if low["margin"] == 0 else "proven")
         self.assertLess(low["margin_upper_bound"], 1e-3)  # it stands on the border of the box
 
+    def test_what_is_left_out_is_told(self):
+        job = self.file("job.gcode", "G21 G90\nG1 X10 F3000\nG0 X0 Y0 Z0\nG1 X100 F6000\nG0 Y50\nG1 X0\nM104 S200\n")
+        found = self.place("--gcode", job)
+        self.assertIn("and at its feeds the joints keep within their limits of speed;", found["message"])
+        self.assertIn("2 moves begin or end where the job does not say", found["message"])
+        self.assertIn("The speeds of 1 rapid move (G0) are not held against a limit", found["message"])
+        self.assertEqual((found["moves"], found["unknown_moves"], found["ignored"]), (3, 2, {"M104": 1}))
+        self.assertIn("M104 (1)", self.text("place", "--urdf", ORTHOGLIDE, "--gcode", job))
+        line = ("--segment", "start 0 0 0", "--segment", "line 0.1 0 0", "--tool-speed", 0.3)
+        aside = self.place(*line, "--joint-speeds-off", "--joint-acceleration-max", 5)
+        self.assertIn("and at 0.3 m/s the joints keep within their limits of acceleration;", aside["message"])
+        self.assertIn("Joint speeds are not held against a limit: they are left aside.", aside["message"])
+        self.assertEqual((aside["joint_speed_limits"], aside["joint_acceleration_limits"]), ([None] * 3, [5] * 3))
+        both = self.place(*line, "--joint-acceleration-max", 5, "--largest-scale")
+        self.assertIn("limits of speed and acceleration;", both["message"])
+        self.assertRegex(both["message"], r"scaled about \(0\.05\S*, \S+, \S+\) m and then moved by")
+        self.assertTrue(both["message"].endswith("Speeds do not count for the scale."))
+
     def test_there_is_none(self):
         text = self.text("place", "--urdf", ORTHOGLIDE, "--segment", "start 0 0 0", "--segment", "line 0.8 0.8 0.8")
         self.assertIn("there is no translation", " ".join(text.split()))

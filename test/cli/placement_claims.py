@@ -8,26 +8,31 @@ from claims import QUALITY, numbers, on, row, segments
 from oracle import BAD, plus
 from reasons import N, hold
 
-GOOD = (rf"every point of the path is {QUALITY}(?P<rates>, and the joints keep within their limits of speed and "
-        r"acceleration)?")
+GOOD = (rf"every point of the path is {QUALITY}(?P<rates>, and at (?:\S+ m/s|its feeds) the joints keep within their "
+        r"limits of (?:speed|acceleration|speed and acceleration))?")
 PLACED = (rf"Proved: with this translation, and moved from there by up to {N} m along each axis, {GOOD}; "
           rf"no translation that may be chosen has a margin above {N} m\.")
 NOWHERE = rf"Proved: there is no translation that may be chosen with which {GOOD}\."
 OPEN = rf"Proved: no translation that may be chosen has a margin above {N} m\. Whether one has any is not decided\."
 TUPLE = r"\((?P<x>\S+), (?P<y>\S+), (?P<z>\S+)\) m"
-SCALED = (rf" Proved: moved by {TUPLE}, every point of the path is {QUALITY} at all scales from (?P<least>[01]) to "
-          r"(?P<scale>[\d.e+-]+); no translation that may be chosen allows one above (?P<above>[\d.e+-]+?)\.")
+SCALED = (rf" Proved: scaled about \((?P<about>\S+, \S+, \S+)\) m and then moved by {TUPLE}, every point of the path "
+          rf"is {QUALITY} at all scales from (?P<least>[01]) to (?P<scale>[\d.e+-]+); no translation that may be "
+          r"chosen allows one above (?P<above>[\d.e+-]+?)\.(?: Speeds do not count for the scale\.)?")
 UNSCALED = (rf" Proved: no translation is such that every point of the path is {QUALITY} at all scales from [01] to "
             r"one above (?P<none_above>[\d.e+-]+?)\.")
 PLACEMENT = (rf"(?:(?P<placed>{PLACED})|(?P<nowhere>{NOWHERE.replace('?P<rates>', '?P<no_rates>')})|(?P<open>{OPEN}))"
-             rf"(?:{SCALED}|{UNSCALED})?(?: (?P<remark>Joint limits are off: .*))?")
+             rf"(?:{SCALED}|{UNSCALED})?{rate_claims.NOT_HELD}(?: (?P<remark>Joint limits are off: .*))?")
 SAMPLES = 12  # of a segment, corners of the margin at each
+
+
+def middle_of(case):
+    ends = [end for segment in segments(case) for end in segment[1:]]
+    return [(min(x) + max(x)) / 2 for x in zip(*ends)]
 
 
 def moved(case, place, scale=1):
     """The segments there, scaled about the middle of their bounds."""
-    ends = [end for segment in segments(case) for end in segment[1:]]
-    middle = [(min(x) + max(x)) / 2 for x in zip(*ends)]
+    middle = middle_of(case)
 
     def put(point):
         return plus(plus(middle, plus(point, middle, -1), scale), place)
@@ -90,6 +95,8 @@ def scales(case, match):
         place, least, scale, above = ([float(match[k]) for k in "xyz"], *(float(match[k]) for k in
                                                                           ("least", "scale", "above")))
         hold(least <= scale <= above, "scales", least, scale, above)
+        about = [float(x) for x in match["about"].split(", ")]
+        hold(max(abs(a - b) for a, b in zip(about, middle_of(case))) < 1e-9 * case.machine.span, "scaled about", about)
         for share in (0.01, 0.5, 1):
             hold(not is_bad(case, place, 0, least + share * (scale - least)), "a point is bad at", place)
         hold(is_bad(case, place, 0, above + 0.03), "all is good at", place, "and a scale above", above)

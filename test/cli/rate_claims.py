@@ -9,11 +9,12 @@ from claims import on, segments
 from reasons import N, Wrong, hold, number_or_near
 
 PLACE = r"(?:line '(?P<{0}place>.*?)' \(line\)|(?P<{0}segment>segment \d+))"
+NOT_HELD = r"(?: (?:Joint speeds are|The speeds? of .*? (?:is|are)) not held against a limit: .*?\.)?"
 RATES = (r"(?: At (?:its feeds|(?P<kept>\S+) m/s) the joints are proved to keep within their limits\.)?"
          rf"(?: The largest feed is proved to be (?P<feed>{claims.BRACKET}) m/s; at that '(?P<slowest>\w+)' reaches "
          r"its limit of (?P<limit>speed|acceleration) on " + PLACE.format("slowest_") + r"\.|"
          rf" The largest feed is proved to be at most (?P<at_most>{N}) m/s\.| Nothing is known of the largest feed\.)?"
-         r"(?: (?:Joint speeds are|The speeds? of .*? (?:is|are)) not held against a limit: .*?\.)?")
+         rf"{NOT_HELD}")
 FAST = (r"Proved: at (?P<speed>\S+) m/s the path (?P<leaves>becomes|is) too fast for the joints on " +
         PLACE.format("") + r", (?:near|between) t = (?P<t>[\d.e-]+)(?: and t = (?P<upper>[\d.e-]+))? of its way"
         r"(?:, and is so somewhere between these)?: the (?P<rate>speed|acceleration) of joint '(?P<joint>\w+)' "

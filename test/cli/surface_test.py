@@ -55,13 +55,27 @@ class Surface(CommandTest):
                                     (URANESX, ("--joint-limits", "off", "--mesh", "set.stl"), "flat"),
                                     (ORTHOGLIDE, ("--resolution", 1e-3, "--max-boxes", 9, "--mesh", "set.stl"),
                                      "1/400"),
-                                    (ORTHOGLIDE, ("--box", 0.8, 0.9, 0.8, 0.9, 0.8, 0.9, "--mesh", "set.stl"),
-                                     "no part of the set")):
+                                    (ORTHOGLIDE, ("--mesh", "set.stl", "--outer-mesh", "./set.stl"), "one file"),
+                                    (ORTHOGLIDE, ("--mesh", "set.stl", "--save", "./set.stl"), "one file")):
             process = subprocess.run([PKM, "pave", "--urdf", urdf, *map(str, words)], capture_output=True, text=True,
                                      cwd=self.folder)
             self.assertEqual(process.returncode, 2, words)
             self.assertIn(reason, process.stderr)
-            self.assertEqual(list(self.folder.iterdir()), [])
+            self.assertEqual((process.stdout, list(self.folder.iterdir())), ("", []))
+
+    def test_without_a_surface_the_paving_is_told_all_the_same(self):
+        small = (-0.01, 0.01, -0.01, 0.01, -0.01, 0.01)
+        for words, reason in ((("--box", 0.8, 0.9, 0.8, 0.9, 0.8, 0.9), "no point of the box belongs to the set"),
+                              (("--box", *small, "--resolution", 1), "finer --resolution"),
+                              (("--resolution", 0.01, "--time-limit", 0.3), "give more time or a coarser")):
+            files = ("--mesh", "set.stl", "--save", "set.pkm")
+            process = subprocess.run([PKM, "pave", "--urdf", ORTHOGLIDE, *map(str, words), *files],
+                                     capture_output=True, text=True, cwd=self.folder)
+            self.assertNotEqual(process.returncode, 0)
+            self.assertIn("volume", process.stdout)
+            self.assertRegex(process.stderr, "not saved: .*" + reason)
+            self.assertEqual([file.name for file in self.folder.iterdir()], ["set.pkm"])
+            (self.folder / "set.pkm").unlink()
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ COVERED = {
     "Proved: there is no translation that may be chosen with which ": {COMMAND: ("placement", ), NODE: ("placement", )},
     "Proved: no translation that may be chosen has a margin above ": {COMMAND: ("placement", ), NODE: ("placement", )},
     " Proved: no translation is such that ": {COMMAND: ("placement", ), NODE: ("placement", )},
-    " Proved: moved by (": {COMMAND: ("placement", ), NODE: ("placement", )},
+    " Proved: scaled about ": {COMMAND: ("placement", ), NODE: ("placement", )},
     "Neither is proved: ": {COMMAND: ("nothing", ), NODE: ("nothing", )},
     "Neither is proved: the border of the set is within rounding of the point, where ": {COMMAND: ("nothing", ),
                                                                                          NODE: ("nothing", )},

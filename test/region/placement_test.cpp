@@ -186,5 +186,33 @@ TEST(PathTree, BoxesHoldThePointsOfTheirParts)
   look(tree.all(), tree.box(tree.all()), 0);
   EXPECT_EQ(moves, segments.size());
 }
+
+TEST(PathTree, BoundsAreThoseOfThePoints)
+{
+  RandomBoxes random(12);
+  for (int k = 0; k < 40; ++k)
+  {
+    const Vector3d start = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
+    const Vector3d axis = random.pointIn({ Vector3d::Constant(-1.0), Vector3d::Constant(1.0) });
+    const double angle = k == 0 ? 7.0 : random.between(-9.0, 9.0);
+    const PathSegment helix = k == 0
+                                  ? PathSegment::arc({ 0.2, 0.0, 0.0 }, Vector3d::Zero(), { 0.0, 1.0, 0.0 }, angle, 0.1)
+                                  : PathSegment::arc(start, Vector3d::Zero(), axis, angle, random.between(-0.2, 0.2));
+    const Box bounds = pathOf({ helix })->bounds();
+    Box seen{ helix.point(0.0), helix.point(0.0) };
+    for (int step = 0; step <= 20000; ++step)
+    {
+      const Vector3d point = helix.point(step / 20000.0);
+      seen = { seen.lower.cwiseMin(point), seen.upper.cwiseMax(point) };
+    }
+    EXPECT_TRUE(bounds.contains(seen.lower) && bounds.contains(seen.upper)) << k;
+    EXPECT_LE((seen.lower - bounds.lower).maxCoeff(), 1e-6) << k;
+    EXPECT_LE((bounds.upper - seen.upper).maxCoeff(), 1e-6) << k;
+    if (k == 0)
+    {
+      EXPECT_NEAR(pathOf({ helix })->lowest(), -0.2, 1e-12);
+    }
+  }
+}
 }  // namespace test
 }  // namespace pkm_workspace

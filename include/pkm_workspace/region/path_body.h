@@ -19,7 +19,7 @@ struct Workpiece
 
   /// Contains it [m].
   Box bounds() const;
-  /// Nearly the least z of its points: exactly, but of arcs in a vertical plane [m].
+  /// The least z of its points, but for rounding [m].
   double lowest() const;
 };
 

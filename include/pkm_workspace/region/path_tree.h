@@ -33,6 +33,8 @@ public:
   /// All of it. @pre there is a move
   Part all() const { return { static_cast<std::uint32_t>(groups_.size()), 0 }; }
 
+  /// Contains all points, and hardly more: box() of an arc is loose, the more so the longer it is [m]. @pre as all()
+  Box bounds() const;
   /// Contains the points of the part [m].
   Box box(const Part& part) const;
   /// Encloses the speeds of the tool on it [m/s].

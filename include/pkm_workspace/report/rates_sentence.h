@@ -14,4 +14,8 @@ namespace pkm_workspace
 /// @param place names a segment by its index: "segment 3" @param speeds_off whether limits of speeds are left aside
 std::string describeRates(const PathResult& result, const PathQuery& query, const Machine& machine,
                           const std::function<std::string(std::size_t segment)>& place, bool speeds_off = false);
+
+/// Which joint speeds are held against no limit: "Joint speeds are not held against a limit: they are left aside.";
+/// empty where all are held.
+std::string speedsNotHeld(const JointRateLimits& limits, const Machine& machine, bool speeds_off);
 }  // namespace pkm_workspace
