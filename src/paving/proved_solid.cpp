@@ -27,13 +27,15 @@ ProvedSolid::ProvedSolid(const BoxTest& test, const Box& box, const Lattice& lat
   , listed_(lattice.vertices(), 0)
 {}
 
-bool ProvedSolid::prove()
+bool ProvedSolid::prove(const Tell& tell)
 {
   sort();
   lookAround();
   std::vector<Id> cubes = border_;
   while (!cubes.empty() && !budget_.isOver())
   {
+    if (tell)
+      tell({ side_ == BoxVerdict::OUTSIDE, border_.size(), cubes.size() });
     const std::vector<Id> bad = failing(cubes);
     if (budget_.isOver())
       break;

@@ -5,24 +5,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "chunks.h"
 #include "lattice.h"
-#include "pkm_workspace/common/parallel.h"
 #include "pkm_workspace/paving/set_mesh.h"
 
 namespace pkm_workspace
 {
 /// The least part of an edge that belongs to the solid, or does not.
 constexpr double LEAST_PART = 1.0 / 64.0;
-/// Pieces of work that a thread takes at a time.
-constexpr std::size_t TOGETHER = 128;
-
-template <class Work>
-void inChunks(ThreadPool& pool, std::size_t count, const Work& work)
-{
-  pool.forEach((count + TOGETHER - 1) / TOGETHER,
-               [&](std::size_t chunk) { work(chunk * TOGETHER, std::min(count, (chunk + 1) * TOGETHER)); });
-}
-
 template <class T>
 void sortUnique(std::vector<T>& all)
 {
@@ -44,8 +34,9 @@ public:
   ProvedSolid(const BoxTest& test, const Box& box, const Lattice& lattice, BoxVerdict side, ThreadPool& pool,
               const RunningBudget& budget);
 
-  /// @return whether the budget sufficed
-  bool prove();
+  using Tell = std::function<void(const MeshProgress&)>;
+  /// @param tell called now and then, if given @return whether the budget sufficed
+  bool prove(const Tell& tell);
 
   const Lattice& lattice() const { return lattice_; }
   bool has(Id vertex) const { return in_[vertex] != 0; }

@@ -154,17 +154,19 @@ SetMeshes setMeshes(const Machine& machine, const MeshQuery& query)
     throw std::invalid_argument(text.str());
   }
   const BoxTest test(machine, query.criterion);
-  // the set ends at the faces of a box that is asked for, and a little before those of another one
-  const Vector3d around = Vector3d::Constant(query.box ? 0.0 : 0.5 * query.resolution);
-  const Box limit{ meshes.box.lower - around, meshes.box.upper + around };
-  const Lattice lattice(limit, query.resolution);
+  const Vector3d half = Vector3d::Constant(0.5 * query.resolution);
+  const Box around{ meshes.box.lower - half, meshes.box.upper + half };
+  // the set ends at the faces of a box that is asked for, between vertices, and a little before those of another one
+  const Box& limit = query.box ? meshes.box : around;
+  const Lattice lattice(around, query.resolution);
   ThreadPool pool(query.budget.threads);
   ProvedSolid inner(test, limit, lattice, BoxVerdict::INSIDE, pool, budget);
   ProvedSolid complement(test, limit, lattice, BoxVerdict::OUTSIDE, pool, budget);
-  meshes.complete = inner.prove() && complement.prove();
+  meshes.complete = inner.prove(query.progress) && (!query.with_outer || complement.prove(query.progress));
   if (meshes.complete)
-  {
     meshes.inner = inner.surface();
+  if (meshes.complete && query.with_outer)
+  {
     meshes.outer = complement.surface();
     for (auto& triangle : meshes.outer.triangles)
       std::swap(triangle[1], triangle[2]);

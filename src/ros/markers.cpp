@@ -214,7 +214,7 @@ double unitOf(const Machine& machine)
 }  // namespace
 
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
-                                          const DrawnRails& rails, const SetSurface* set)
+                                          const DrawnRails& rails, const SetPicture* set)
 {
   Scene scene(region.header, unitOf(machine), captionOf(premises, "accuracy", region.hypotheses.accuracy));
   const LabelPlaces places(region, machine, rails, scene.unit());
@@ -228,7 +228,7 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& 
   return scene.array();
 }
 
-visualization_msgs::MarkerArray markersOf(const SetSurface& set, const Premises& premises, const Machine& machine,
+visualization_msgs::MarkerArray markersOf(const SetPicture& set, const Premises& premises, const Machine& machine,
                                           const Workspace& workspace, double ceiling)
 {
   Scene scene(workspace.header, unitOf(machine), captionOf(premises, "resolution", workspace.hypotheses.accuracy));

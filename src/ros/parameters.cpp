@@ -95,6 +95,15 @@ void addCriterion(Criterion& criterion, Table& table)
         entry(criterion.*datum.values, std::string("a number > 0, or a list of three [") + datum.unit + "]");
 }
 
+void addPictures(Parameters& parameters, Table& table)
+{
+  table["show_paving"] = entry(parameters.show_paving, "true or false");
+  table["show_boundary"] = entry(parameters.show_boundary, "true or false");
+  table["set_style"] = oneOf(parameters.set_style, SET_STYLE_NAMES);
+  table["set_colors"] = oneOf(parameters.set_colors, SET_COLORS_NAMES);
+  table["paving_resolution"] = entry(parameters.paving_resolution, "a number >= 0 [m]");
+}
+
 Table tableOf(Parameters& parameters)
 {
   RegionQuery& query = parameters.query;
@@ -122,9 +131,6 @@ Table tableOf(Parameters& parameters)
     { "ball_axes", entry(parameters.urdf.ball_axes, "a list of one or of three lists [x, y, z]") },
     { "publish_joint_states", entry(parameters.publish_joint_states, "true or false") },
     { "keep_out_collisions", entry(parameters.keep_out_collisions, "true or false") },
-    { "show_paving", entry(parameters.show_paving, "true or false") },
-    { "show_boundary", entry(parameters.show_boundary, "true or false") },
-    { "set_colors", oneOf(parameters.set_colors, SET_COLORS_NAMES) },
     { "max_memory",
       { "a whole number of bytes, 4096 to 2147483647",
         [&query](const XmlRpcValue& value) { return readMemory(value, query.budget.max_memory); } } },
@@ -132,8 +138,8 @@ Table tableOf(Parameters& parameters)
       { "a number > 0, or three [m/s^2]",
         [&parameters](const XmlRpcValue& value) { return readForJoints(value, parameters.joint_acceleration_max); } } },
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
-    { "paving_resolution", entry(parameters.paving_resolution, "a number >= 0 [m]") },
   };
+  addPictures(parameters, table);
   addCriterion(query.criterion, table);
   return table;
 }

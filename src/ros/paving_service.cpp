@@ -6,6 +6,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
+#include "pkm_workspace/ros/set_surface.h"
 
 namespace pkm_workspace
 {
@@ -14,6 +15,7 @@ PavingService::PavingService(NodeContext& context, SetBelow& below)
   , below_(below)
   , workspace_(context.private_node.advertise<Workspace>("workspace", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("workspace_markers", 1, true))
+  , surfaces_(context)
   , service_(offer<ComputeWorkspace>(
         context.computing, context.health, "compute_workspace",
         [this](const ComputeWorkspace::Request& request, ComputeWorkspace::Response& response) {
@@ -86,11 +88,28 @@ PavingReport PavingService::goOn(const PavingQuestion& question) const
 void PavingService::show(const FramedMachine& in, Workspace workspace,
                          const std::shared_ptr<const PavingReport>& report)
 {
-  const Paving& paving = report->paving;
   workspace.inside = workspace.boundary = BoxList();
   workspace_.publish(workspace);
-  const Premises premises = in.premises(paving.premises.criterion);
-  const auto set = std::make_shared<const SetSurface>(paving, *in.machine, context_.parameters.set_colors, true);
+  const std::shared_ptr<const Paving> paving(report, &report->paving);
+  context_.painter.post([this, in, workspace, report, paving] {
+    draw(in, workspace, report,
+         std::make_shared<const SetSurface>(*paving, *in.machine, context_.parameters.set_colors, true));
+  });
+  surfaces_.make(in, paving, true, [this, in, workspace, report](const std::shared_ptr<const SetPicture>& surface) {
+    draw(in, workspace, report, surface);
+  });
+}
+
+void PavingService::draw(const FramedMachine& in, const Workspace& workspace,
+                         const std::shared_ptr<const PavingReport>& report,
+                         const std::shared_ptr<const SetPicture>& set)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (report != last_)
+      return;  // a newer one will be drawn
+  }
+  const Premises premises = in.premises(report->paving.premises.criterion);
   const auto shown = markersOf(*set, premises, *in.machine, workspace);
   markers_.publish(inRoot(shown, in, context_.frames.root().frame));
   below_.show(in, workspace, report, set);

@@ -11,6 +11,7 @@
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/markers.h"
 #include "pkm_workspace/ros/paving_message.h"
+#include "pkm_workspace/ros/set_surface.h"
 
 namespace pkm_workspace
 {
@@ -27,6 +28,7 @@ RegionPublisher::RegionPublisher(NodeContext& context, Tool* tool, Interaction& 
   , region_(context.private_node.advertise<Region>("region", 1, true))
   , joint_ranges_(context.private_node.advertise<JointRanges>("joint_ranges", 1, true))
   , markers_(context.private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true))
+  , surfaces_(context)
 {}
 
 void RegionPublisher::publish(const RegionQuestion& question, const Region& region)
@@ -49,7 +51,15 @@ void RegionPublisher::moveMachine(const RegionQuestion& question, const Region& 
 
 void RegionPublisher::publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop)
 {
-  const SetSurface* const set = setFor(question, region, stop);
+  const auto set = setFor(question, region, stop);
+  draw(question, region, set.get());
+  draw_again_ = [this, question, region] { draw(question, region, set_.get()); };
+  if (!set)
+    draw_again_ = nullptr;
+}
+
+void RegionPublisher::draw(const RegionQuestion& question, const Region& region, const SetPicture* set)
+{
   const Premises premises = question.in.premises(question.query.criterion);
   const Machine& machine = *question.in.machine;
   const DrawnRails& rails = context_.urdf.drawn_rails;
@@ -90,7 +100,8 @@ PavingQuery RegionPublisher::pavingQuery(const RegionQuestion& question, const R
   return wanted;
 }
 
-const SetSurface* RegionPublisher::setFor(const RegionQuestion& question, const Region& region, const StopFlag& stop)
+std::shared_ptr<const SetPicture> RegionPublisher::setFor(const RegionQuestion& question, const Region& region,
+                                                          const StopFlag& stop)
 {
   if (!context_.parameters.show_paving)
     return nullptr;
@@ -103,19 +114,28 @@ const SetSurface* RegionPublisher::setFor(const RegionQuestion& question, const 
     if (paving_)
       validateEarlier(*question.in.machine, wanted, *paving_, differences);
     if (paving_ && differences.empty())
-      return &*set_;
+      return set_;
     wanted.budget.stop = stop.get();
-    paving_ = pave(*question.in.machine, wanted);
+    paving_ = std::make_shared<const Paving>(pave(*question.in.machine, wanted));
     const BoxTree& tree = paving_->tree;
     ROS_INFO_NAMED("paving", "set at resolution %g m: %ld boxes inside, %ld at its border; %.3g s", wanted.resolution,
                    static_cast<long>(tree.count(CellState::INSIDE)),
                    static_cast<long>(tree.count(CellState::BOUNDARY) + tree.count(CellState::PENDING)),
                    paving_->seconds);
-    if (!*stop)
-      return &set_.emplace(*paving_, *question.in.machine, context_.parameters.set_colors,
-                           context_.parameters.show_boundary);
-    paving_.reset();  // it is not what was asked for
-    return nullptr;
+    if (*stop)
+    {
+      paving_.reset();  // it is not what was asked for
+      return nullptr;
+    }
+    const bool with_boundary = context_.parameters.show_boundary;
+    set_ = std::make_shared<const SetSurface>(*paving_, *question.in.machine, context_.parameters.set_colors,
+                                              with_boundary);
+    surfaces_.make(question.in, paving_, with_boundary, [this](const std::shared_ptr<const SetPicture>& surface) {
+      set_ = surface;
+      if (draw_again_)
+        draw_again_();
+    });
+    return set_;
   }
   catch (const std::invalid_argument& error)
   {

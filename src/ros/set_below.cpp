@@ -32,7 +32,7 @@ SetBelow::SetBelow(NodeContext& context, Interaction& interaction)
 }
 
 void SetBelow::show(const FramedMachine& in, const Workspace& workspace,
-                    const std::shared_ptr<const PavingReport>& report, const std::shared_ptr<const SetSurface>& set)
+                    const std::shared_ptr<const PavingReport>& report, const std::shared_ptr<const SetPicture>& set)
 {
   const auto shown = std::make_shared<const Shown>(Shown{ in, workspace, report, set, topsOf(report->paving.tree) });
   {

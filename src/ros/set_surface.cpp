@@ -6,11 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "condition_color.h"
-#include "pkm_workspace/paving/set_end.h"
-#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "scene.h"
+#include "set_paint.h"
 #include "shell.h"
 
 namespace pkm_workspace
@@ -19,10 +17,7 @@ namespace
 {
 using visualization_msgs::Marker;
 
-constexpr Color INSIDE = { 0.15F, 0.85F, 0.30F, 0.20F };
-constexpr Color BOUNDARY = { 1.0F, 0.70F, 0.0F, 0.14F };
 constexpr std::int64_t MOST_BOXES = 20000;
-constexpr std::uint8_t NO_END = 0;
 
 std::vector<Box> boxesOf(const BoxTree& tree, const std::vector<CellState>& states)
 {
@@ -46,16 +41,7 @@ void addPatch(const Patch& patch, std::vector<geometry_msgs::Point>& points)
     points.push_back(toMessage(corners[k]));
 }
 
-/// How much less is seen through colours that are to be told apart than through one all over.
-constexpr float DENSER = 2.0F;
 constexpr float SHADES[] = { 0.92F, 0.84F, 1.0F };  ///< of faces across each axis
-
-std_msgs::ColorRGBA shadeOf(const Patch& patch, const Color& verdict)
-{
-  const Color color = patch.paint == NO_END ? verdict : conditionColor(static_cast<ConditionKind>(patch.paint - 1));
-  const float shade = SHADES[patch.axis];
-  return toMessage(Color{ shade * color.r, shade * color.g, shade * color.b, verdict.a });
-}
 }  // namespace
 
 SetSurface::SetSurface(const Paving& paving, const Machine& machine, SetColors colors, bool with_boundary)
@@ -73,12 +59,10 @@ SetSurface::SetSurface(const Paving& paving, const Machine& machine, SetColors c
   const PointEvaluator evaluate(machine, paving.premises.criterion);
   findEnds(evaluate, good_, {}, false);
   findEnds(evaluate, open_, good_, true);
-  std::set<std::uint8_t> found;
+  std::set<SetPaint> found;
   for (const auto& [part, end] : ends_)
     found.insert(end);
-  for (const std::uint8_t end : found)
-    if (const auto kind = static_cast<ConditionKind>(end - 1); end != NO_END)
-      legend_.push_back({ conditionColor(kind), briefly(kind, paving.premises.criterion) });
+  legend_ = legendOf(found, paving.premises.criterion);
 }
 
 SetSurface::Part SetSurface::partOf(const Patch& patch, bool is_open) const
@@ -128,13 +112,13 @@ std::uint8_t SetSurface::paintAt(const PointEvaluator& evaluate, const Patch& pa
   if (!is_flat_side)
     nearest = endOfSet(evaluate, from, across);
   if (nearest)
-    return static_cast<std::uint8_t>(1 + static_cast<int>(nearest->kind));
+    return paintOf(nearest);
   for (int axis = 0; axis < 3; ++axis)
     for (const double step : { -finest_[axis], finest_[axis] })
       if (const auto end = endOfSet(evaluate, from, (is_flat_side ? 0.5 : 1.0) * step * Eigen::Vector3d::Unit(axis));
           end && (!nearest || (end->bad - from).norm() < (nearest->bad - from).norm()))
         nearest = end;
-  return nearest ? static_cast<std::uint8_t>(1 + static_cast<int>(nearest->kind)) : NO_END;
+  return paintOf(nearest);
 }
 
 /// By colours of its own: rviz then leaves its lamp out, which would make most faces dark.
@@ -151,7 +135,7 @@ void SetSurface::addShell(const std::string& ns, const Color& color, const std::
   for (const Patch& patch : shellOf(boxes.shown, others, boxes.absent, paint))
   {
     addPatch(patch, surface.points);
-    surface.colors.resize(surface.points.size(), shadeOf(patch, color));
+    surface.colors.resize(surface.points.size(), toMessage(colorOf(patch.paint, color, SHADES[patch.axis])));
   }
 }
 
@@ -163,7 +147,7 @@ void SetSurface::addTo(Scene& scene, const std::string& inside, const std::strin
   const bool is_solid = (whole_.upper.array() > whole_.lower.array()).all();
   // of a solid four layers are seen through each other
   const float density = (is_solid ? 1.0F : 2.2F) * (is_solid && !legend_.empty() ? DENSER : 1.0F);
-  addShell(inside, { INSIDE.r, INSIDE.g, INSIDE.b, density * INSIDE.a }, {}, good, false, scene);
-  addShell(undecided, { BOUNDARY.r, BOUNDARY.g, BOUNDARY.b, density * BOUNDARY.a }, good.shown, open, true, scene);
+  addShell(inside, densely(SET_INSIDE, density), {}, good, false, scene);
+  addShell(undecided, densely(SET_BOUNDARY, density), good.shown, open, true, scene);
 }
 }  // namespace pkm_workspace

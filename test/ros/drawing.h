@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/ros/markers.h"
+#include "pkm_workspace/ros/set_surface.h"
 
 namespace pkm_workspace
 {

@@ -29,6 +29,13 @@ def wait_until(condition):
             raise AssertionError("waited in vain")
 
 
+def slants(markers):
+    """How many triangles of the set that a region lies in are across no axis: boxes have none."""
+    corners = [[(p.x, p.y, p.z) for p in marker.points] for marker in markers if marker.ns == "paving_inside"]
+    triangles = [zip(*points[k:k + 3]) for points in corners for k in range(0, len(points), 3)]
+    return sum(all(len(set(values)) > 1 for values in triangle) for triangle in triangles)
+
+
 class NodeProcess:
     """A node with these private parameters, on the text of a URDF (None: without one)."""
 

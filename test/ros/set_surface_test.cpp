@@ -4,142 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "../../src/ros/condition_color.h"
-#include "drawing.h"
 #include "pkm_workspace/report/binding_limit.h"
-#include "support/definition.h"
+#include "set_faces.h"
 
 namespace pkm_workspace
 {
 namespace test
 {
-namespace
-{
 using Eigen::Vector3d;
-using Kind = ConditionKind;
-
-const std::vector<Kind> KINDS = {
-  Kind::REACH,           Kind::JOINT_LOWER,   Kind::JOINT_UPPER,        Kind::ASPECT,
-  Kind::PSI_MIN,         Kind::PSI_MAX,       Kind::KAPPA_MAX,          Kind::TOOL_SPEED_MIN,
-  Kind::TOOL_FORCE_MIN,  Kind::STIFFNESS_MIN, Kind::POSITION_ERROR_MAX, Kind::STRUT_ANGLE_MIN,
-  Kind::STRUT_ANGLE_MAX, Kind::BALL_TILT_MAX, Kind::HINGE_LOWER,        Kind::HINGE_UPPER,
-  Kind::KEEP_IN,         Kind::KEEP_OUT
-};
-
-struct Case
-{
-  std::string name;
-  Machine machine;
-  Criterion criterion;
-  std::vector<Kind> kinds;  ///< that end the set
-  double share;             ///< of its surface that has one of their colours, at least
-  std::optional<Box> box = {};
-};
-
-std::vector<Case> pictures()
-{
-  Criterion driven;
-  driven.joint_speed_max = { 1.0, 1.1, 1.2 };
-  driven.tool_speed_min = 0.85;
-  driven.strut_angle_max = 0.7;
-  Criterion limited;
-  limited.joint_limits = true;
-  return { { "psi", orthoglide(), Criterion(), { Kind::PSI_MIN, Kind::PSI_MAX }, 0.99 },
-           { "driven", orthoglide(), driven, { Kind::PSI_MIN, Kind::TOOL_SPEED_MIN, Kind::STRUT_ANGLE_MAX }, 0.99 },
-           { "limits", orthoglidePrototype(), limited, { Kind::JOINT_LOWER, Kind::JOINT_UPPER, Kind::PSI_MIN }, 0.99 },
-           { "flat", uranesx(), Criterion(), { Kind::PSI_MAX }, 0.05 } };
-}
-
-Paving pavingOf(const Case& each)
-{
-  PavingQuery query;
-  query.criterion = each.criterion;
-  query.resolution = 0.03 * each.machine.scale();
-  query.box = each.box;
-  return pave(each.machine, query);
-}
-
-visualization_msgs::MarkerArray shown(const SetSurface& set, const Case& each, double ceiling)
-{
-  return markersOf(set, premisesOf(each.machine, each.criterion), each.machine, Workspace(), ceiling);
-}
-
-Color of(const std_msgs::ColorRGBA& color)
-{
-  return { color.r, color.g, color.b, color.a };
-}
-
-/// Whether they differ in nothing but the shade of a face.
-bool isShadeOf(const Color& color, const Color& full)
-{
-  for (const float shade : { 0.92F, 0.84F, 1.0F })
-    if (std::abs(color.r - shade * full.r) + std::abs(color.g - shade * full.g) + std::abs(color.b - shade * full.b) <
-        1e-4F)
-      return true;
-  return false;
-}
-
-/// A rectangle of a surface: two triangles.
-struct Face
-{
-  Vector3d middle;
-  Vector3d outwards;
-  double area;
-  std::optional<Kind> kind;
-};
-
-std::vector<Face> facesOf(const Marker& surface)
-{
-  std::vector<Face> faces;
-  for (std::size_t i = 0; i < surface.points.size(); i += 6)
-  {
-    const Vector3d first = vectorOf(surface.points[i]);
-    const Vector3d second = vectorOf(surface.points[i + 1]);
-    const Vector3d third = vectorOf(surface.points[i + 2]);
-    const Vector3d across = (second - first).cross(third - first);
-    Face face{ 0.5 * (first + third), across.normalized(), across.norm(), {} };
-    for (const Kind kind : KINDS)
-      if (isShadeOf(of(surface.colors[i]), conditionColor(kind)))
-        face.kind = kind;
-    faces.push_back(face);
-  }
-  return faces;
-}
-
-/// The first points beyond a face that are bad by the definitions, and what is violated there; none where the set goes
-/// on for some boxes.
-std::set<Kind> firstViolated(const Case& each, const Face& face, double width)
-{
-  constexpr int STEPS = 400;
-  for (int k = 0; k <= STEPS; ++k)
-  {
-    const Vector3d point = face.middle + 4.0 * width * k / STEPS * face.outwards;
-    const std::set<Kind> violated = violatedAt(each.machine, each.criterion, point);
-    if (!violated.empty())
-      return violated;
-  }
-  return {};
-}
-
-/// What is violated first from somewhere near a face in its plane: where two conditions meet, its parts differ.
-bool isFirstNear(const Case& each, const Face& face, double width)
-{
-  for (int u = -1; u <= 1; ++u)
-    for (int v = -1; v <= 1; ++v)
-    {
-      Face near = face;
-      const Vector3d along = face.outwards.unitOrthogonal();
-      near.middle += width * (u * along + v * face.outwards.cross(along));
-      if (firstViolated(each, near, width).count(*face.kind) > 0)
-        return true;
-    }
-  return false;
-}
-}  // namespace
 
 TEST(SetSurface, hasTheColorsOfWhatEndsTheSetByTheDefinitions)
 {
@@ -154,7 +28,7 @@ TEST(SetSurface, hasTheColorsOfWhatEndsTheSetByTheDefinitions)
     int straight = 0;
     double colored = 0.0;
     double whole = 0.0;
-    for (const Face& face : facesOf(inNamespace(shown(set, each, 1e9), "inside")[0]))
+    for (const Face& face : facesOf(inNamespace(shown(set, each, 1e9), "inside")[0], each.kinds))
     {
       whole += face.area;
       colored += face.kind ? face.area : 0.0;
@@ -193,7 +67,7 @@ TEST(SetSurface, hasALegendOfTheConditionsThatOccur)
     EXPECT_EQ(std::set<Kind>(each.kinds.begin(), each.kinds.end()), of_legend);
     std::set<Kind> drawn;
     for (const char* ns : { "inside", "boundary" })
-      for (const Face& face : facesOf(inNamespace(shown(set, each, 1e9), ns)[0]))
+      for (const Face& face : facesOf(inNamespace(shown(set, each, 1e9), ns)[0], each.kinds))
         if (face.kind)
           drawn.insert(*face.kind);
     EXPECT_EQ(of_legend, drawn);
@@ -207,14 +81,14 @@ TEST(SetSurface, hasNoEndWhereItIsOnlyCutOff)
   const Marker all = inNamespace(shown(set, psi, 1e9), "inside")[0];
   const Marker cut = inNamespace(shown(set, psi, 0.0), "inside")[0];
   double plain = 0.0;
-  for (const Face& face : facesOf(cut))
+  for (const Face& face : facesOf(cut, psi.kinds))
   {
     EXPECT_LE(face.middle.z(), 0.0);
     if (!face.kind)
       plain += face.area;
   }
   EXPECT_GT(plain, 1.0) << "the section through the middle";
-  for (const Face& face : facesOf(all))
+  for (const Face& face : facesOf(all, psi.kinds))
     EXPECT_TRUE(face.kind) << face.middle.transpose();
 }
 
@@ -223,7 +97,7 @@ TEST(SetSurface, hasOneColorByVerdict)
   const Case psi = pictures()[0];
   const SetSurface set(pavingOf(psi), psi.machine, SetColors::VERDICT, false);
   EXPECT_TRUE(set.legend().empty());
-  for (const Face& face : facesOf(inNamespace(shown(set, psi, 1e9), "inside")[0]))
+  for (const Face& face : facesOf(inNamespace(shown(set, psi, 1e9), "inside")[0], KINDS))
     EXPECT_FALSE(face.kind);
 }
 

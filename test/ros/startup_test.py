@@ -13,7 +13,8 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Point
 from pkm_workspace.msg import CriterionRequest, RegionRequest
 from pkm_workspace.srv import CompareMachines, ComputeLargestRegion
-from node_process import NAME, PATIENCE, NodeProcess, urdf
+from node_process import NAME, PATIENCE, NodeProcess, slants, urdf, wait_until
+from visualization_msgs.msg import MarkerArray
 
 NAN = float("nan")
 
@@ -69,6 +70,8 @@ BAD_PARAMETERS = [
     ({"threads": 1.5}, r"threads = 1.5 must be a whole number >= 1"),
     ({"joint_acceleration_max": [1, 2]}, r"joint_acceleration_max = .* must be a number > 0, or three \[m/s\^2\]"),
     ({"joint_acceleration_max": -1.0}, r"joint_acceleration_max = -1.* must be a number > 0, or three \[m/s\^2\]"),
+    ({"set_style": "cloud"}, r"set_style = cloud must be a text: surface or boxes"),
+    ({"set_colors": 1}, r"set_colors = 1 must be a text: condition or verdict"),
     ({"paving_resolution": -1.0}, r"paving_resolution = -1 m must be >= 0"),
     ({"diagnostic_period": 0}, r"diagnostic_period = 0 must be a number from 0.01 to 3600 \[s\]"),
     ({"diagnostic_period": "often"}, r"diagnostic_period = often must be a number from"),
@@ -178,6 +181,19 @@ class StartupTest(unittest.TestCase):
             self.assertIn("machines are compared by regions that are not turned", compare(query=query).message)
             both = compare(query=RegionRequest(shape="square", accuracy=0.01), urdfs=[urdf("orthoglide")])
             self.assertEqual(len(both.machines), 2, both.message)
+
+    def test_shows_the_surface_of_the_set_or_its_boxes_and_why(self):
+        for parameters, said, least, most in (
+                ({}, "surface of the set at resolution ", 1000, 1e6),
+                ({"set_style": "boxes"}, "set at resolution 0.05 m: ", 0, 0),
+                ({"paving_resolution": 20.0},
+                 "the set is shown by boxes, without its surface: nothing is left of it at a resolution of 20", 0, 0)):
+            with NodeProcess(urdf("orthoglide"), parameters) as node:
+                node.wait_for_output(said)
+                shown = []
+                wait_until(lambda: shown.append(rospy.wait_for_message(f"{NAME}/markers", MarkerArray, PATIENCE))
+                           or slants(shown[-1].markers) >= least)
+                self.assertLessEqual(slants(shown[-1].markers), most)
 
     def test_diagnostics_come_as_often_as_asked(self):
         stamps = []

@@ -10,6 +10,7 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from node_process import slants, wait_until
 from pkm_workspace.client import Client
 from rendering import Launch
 from std_msgs.msg import Header
@@ -41,7 +42,7 @@ def pose_at(*point):
 # A whole machine that fills the view, and no complaint of rviz.
 WELL = {
     **percent("rails", 0.1, 4),
-    **percent("sliders", 0.05, 1),
+    **percent("sliders", 0.01, 1),
     **percent("struts", 0.03, 2),
     "height of what is drawn [% of the view]": (lambda picture: picture.height(), 55, 99),
     "margin around it [% of the view's height]": (lambda picture: picture.margin(), 0.5, 45),
@@ -71,6 +72,8 @@ class ViewsTest(unittest.TestCase):
 
     def test_the_largest_cube_of_the_orthoglide_and_what_ends_the_set(self):
         with Launch("orthoglide") as screen:
+            wait_until(lambda: slants(rospy.wait_for_message(f"{NODE}/markers", MarkerArray).markers))
+            rospy.sleep(2.0)  # until the surface is drawn in place of the boxes
             self.see(screen, {**WELL, **LABELS, **percent("region's faces", 4, 14),
                               **percent("joint ranges", 0.05, 0.5), **percent("end by psi_min", 5, 25),
                               **percent("end by psi_max", 2, 15)})

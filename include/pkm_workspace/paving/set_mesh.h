@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,14 @@ struct Mesh
   Interval volume() const;
 };
 
+/// How far a surface is.
+struct MeshProgress
+{
+  bool outer = false;      ///< which one
+  std::size_t border = 0;  ///< cubes in which it may end, as far as they are known
+  std::size_t open = 0;    ///< of these, cubes whose parts are to be proved yet, or again
+};
+
 /// What to mesh. Values with defaults; validate() tells what is wrong.
 struct MeshQuery
 {
@@ -29,9 +38,11 @@ struct MeshQuery
   static constexpr int MOST_STEPS = 400;
 
   Criterion criterion;
-  double resolution = 0.05;  ///< edge of the lattice's cubes [m], > 0
-  std::optional<Box> box;    ///< what is looked at [m]; without it, defaultBox()
-  Budget budget;             ///< time, threads and the stop flag
+  double resolution = 0.05;                           ///< edge of the lattice's cubes [m], > 0
+  std::optional<Box> box;                             ///< what is looked at [m]; without it, defaultBox()
+  Budget budget;                                      ///< time, threads and the stop flag
+  bool with_outer = true;                             ///< whether the outer surface and the distance are asked for
+  std::function<void(const MeshProgress&)> progress;  ///< called between looks at many cubes, if given
 
   void validate(Problems& problems) const;
 };
@@ -40,9 +51,9 @@ struct MeshQuery
 struct SetMeshes
 {
   Mesh inner;  ///< all points within it belong to the set, proved
-  Mesh outer;  ///< all points of the set are within it, proved
-  double distance =
-      0.0;  ///< no point within the outer one is farther from the inner one's solid [m]; INF where that is empty
+  Mesh outer;  ///< all points of the set are within it, proved; empty where it is not asked for
+  /// No point within the outer one is farther from the inner one's solid [m]; INF where that is empty.
+  double distance = 0.0;
   Box box;  ///< [m]
   double resolution = 0.0;
   bool complete = false;  ///< otherwise the budget has ended it: there are no meshes

@@ -10,7 +10,7 @@
 
 #include "pkm_workspace/machine/machine.h"
 #include "pkm_workspace/ros/frames.h"
-#include "pkm_workspace/ros/set_surface.h"
+#include "pkm_workspace/ros/set_picture.h"
 
 namespace pkm_workspace
 {
@@ -26,13 +26,13 @@ using DrawnRails = std::array<Interval, 3>;
 /// @param premises what is proved of it
 /// @param set that the region lies in, or nullptr
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
-                                          const DrawnRails& rails, const SetSurface* set);
+                                          const DrawnRails& rails, const SetPicture* set);
 
 /// What rviz shows of a set by itself, in namespaces "inside" and "boundary" (all that is undecided).
 /// @param premises what is proved of it, in the frame of the machine
 /// @param workspace the message about it
 /// @param ceiling what reaches above it is left out [m]; a flat set that is the same along z is lowered to it
-visualization_msgs::MarkerArray markersOf(const SetSurface& set, const Premises& premises, const Machine& machine,
+visualization_msgs::MarkerArray markersOf(const SetPicture& set, const Premises& premises, const Machine& machine,
                                           const Workspace& workspace,
                                           double ceiling = std::numeric_limits<double>::infinity());
 

@@ -36,8 +36,8 @@ Loaded load(const ros::NodeHandle& private_node);
 /// What all parts of the node share.
 ///
 /// The thread of private_node answers what can be answered at once, the worker computes what services ask for, the
-/// decider gives verdicts, the painter makes markers: no request waits for a picture. Goals of each action, and what is
-/// dragged, have workers of their own.
+/// decider gives verdicts, the modeller makes surfaces of sets, the painter markers: no request waits for a picture.
+/// Goals of each action, and what is dragged, have workers of their own.
 class NodeContext
 {
 public:
@@ -59,6 +59,7 @@ public:
   Health health;
   Worker& worker = addWorker();
   Worker& decider = addWorker();
+  Worker& modeller = addWorker();
   Worker& painter = addWorker();
 
   const Machine& machine() const { return urdf.machine; }

@@ -11,7 +11,7 @@
 
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/region/region_wish.h"
-#include "pkm_workspace/ros/set_surface.h"
+#include "pkm_workspace/ros/set_picture.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
 namespace pkm_workspace
@@ -52,6 +52,7 @@ struct Parameters
   bool keep_out_collisions = false;                 ///< of the links that do not move
   bool show_paving = true;                          ///< whether the markers show the set that the region lies in
   bool show_boundary = false;                       ///< whether they show its undecided boxes too
+  SetStyle set_style = SetStyle::SURFACE;           ///< ~set_style: what a set is drawn as
   SetColors set_colors = SetColors::CONDITION;      ///< ~set_colors: what colours of a set stand for
   double paving_resolution = 0.0;  ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
 

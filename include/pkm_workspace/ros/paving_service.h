@@ -11,6 +11,7 @@
 #include "pkm_workspace/ros/node_context.h"
 #include "pkm_workspace/ros/paving_message.h"
 #include "pkm_workspace/ros/set_below.h"
+#include "pkm_workspace/ros/surface_maker.h"
 
 namespace pkm_workspace
 {
@@ -30,7 +31,10 @@ private:
   Workspace compute(PavingQuestion question, const StopFlag& stop);
   /// Paves, or goes on from the last paving where that is about the same.
   PavingReport goOn(const PavingQuestion& question) const;
+  /// Publishes; leaves the markers to the painter.
   void show(const FramedMachine& in, Workspace workspace, const std::shared_ptr<const PavingReport>& report);
+  void draw(const FramedMachine& in, const Workspace& workspace, const std::shared_ptr<const PavingReport>& report,
+            const std::shared_ptr<const SetPicture>& set);
 
   NodeContext& context_;
   SetBelow& below_;
@@ -38,6 +42,7 @@ private:
   std::shared_ptr<const PavingReport> last_;  ///< of service or action
   ros::Publisher workspace_;
   ros::Publisher markers_;
+  SurfaceMaker surfaces_;
   ros::ServiceServer service_;
   Action action_;
 };

@@ -4,13 +4,14 @@
 #include <pkm_workspace/Region.h>
 #include <ros/node_handle.h>
 
-#include <optional>
+#include <functional>
+#include <memory>
 
 #include "pkm_workspace/paving/paving.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/interaction.h"
 #include "pkm_workspace/ros/node_context.h"
-#include "pkm_workspace/ros/set_surface.h"
+#include "pkm_workspace/ros/surface_maker.h"
 #include "pkm_workspace/ros/tool.h"
 
 namespace pkm_workspace
@@ -27,7 +28,8 @@ public:
 
   /// Publishes the region and its joint ranges, and moves the machine there.
   void publish(const RegionQuestion& question, const Region& region);
-  /// Publishes the markers, after a paving (up to seconds) unless it is the last one over again.
+  /// Publishes the markers, after a paving (up to seconds) unless it is the last one over again; once more when there
+  /// is a surface of the set. Of the painter.
   /// @param stop where it is set, the paving ends, and the markers come without the set
   void publishMarkers(const RegionQuestion& question, const Region& region, const StopFlag& stop);
 
@@ -36,7 +38,8 @@ private:
   static Box pavedBox(const RegionQuestion& question, const Region& region);
   PavingQuery pavingQuery(const RegionQuestion& question, const Region& region) const;
   /// The set that the region lies in; nothing where it is not to be shown or cannot be bounded.
-  const SetSurface* setFor(const RegionQuestion& question, const Region& region, const StopFlag& stop);
+  std::shared_ptr<const SetPicture> setFor(const RegionQuestion& question, const Region& region, const StopFlag& stop);
+  void draw(const RegionQuestion& question, const Region& region, const SetPicture* set);
 
   NodeContext& context_;
   Tool* const tool_;
@@ -44,7 +47,9 @@ private:
   ros::Publisher region_;
   ros::Publisher joint_ranges_;
   ros::Publisher markers_;
-  std::optional<Paving> paving_;   ///< the last one
-  std::optional<SetSurface> set_;  ///< its surface
+  std::shared_ptr<const Paving> paving_;   ///< the last one
+  std::shared_ptr<const SetPicture> set_;  ///< of it
+  std::function<void()> draw_again_;       ///< what was drawn last, with the set as it is now
+  SurfaceMaker surfaces_;
 };
 }  // namespace pkm_workspace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pkm_workspace/ros/interaction.h"
-#include "pkm_workspace/ros/set_surface.h"
+#include "pkm_workspace/ros/set_picture.h"
 #include "pkm_workspace/tasks/paving.h"
 
 namespace pkm_workspace
@@ -24,7 +24,7 @@ public:
 
   /// @param workspace without its boxes
   void show(const FramedMachine& in, const Workspace& workspace, const std::shared_ptr<const PavingReport>& report,
-            const std::shared_ptr<const SetSurface>& set);
+            const std::shared_ptr<const SetPicture>& set);
 
 private:
   struct Shown
@@ -32,7 +32,7 @@ private:
     FramedMachine in;
     Workspace workspace;
     std::shared_ptr<const PavingReport> report;
-    std::shared_ptr<const SetSurface> set;
+    std::shared_ptr<const SetPicture> set;
     std::vector<double> tops;  ///< of boxes, ascending [m]
   };
 

@@ -1,50 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "pkm_workspace/paving/paving.h"
-#include "pkm_workspace/ros/legend.h"
+#include "pkm_workspace/ros/set_picture.h"
 
 namespace pkm_workspace
 {
 class PointEvaluator;
-class Scene;
 struct Patch;
-
-/// What the colours of a set stand for: the verdict on its boxes, or the condition that ends it there.
-enum class SetColors
-{
-  CONDITION,
-  VERDICT
-};
-constexpr std::array<const char*, 2> SET_COLORS_NAMES = { "condition", "verdict" };
 
 /// The surface of a paving's boxes as rviz shows it, as coarsely as it takes for about 20000 boxes.
 ///
-/// By conditions, each part of it has the colour of what ends the set within four of the smallest boxes beyond it or,
-/// if nothing does, beside it; of flat boxes within two beside it (endOfSet(): no proof). Where nothing does, the set
-/// goes on, and the part has the colour of its verdict.
-class SetSurface
+/// What ends the set is looked for within four of the smallest boxes beyond a part or, if nothing does, beside it; of
+/// flat boxes within two beside it.
+class SetSurface : public SetPicture
 {
 public:
   /// @param machine in whose frame the paving is
   /// @param with_boundary whether its undecided boxes are to be shown
   SetSurface(const Paving& paving, const Machine& machine, SetColors colors, bool with_boundary);
 
-  /// The conditions whose colours it has, in their order; none by verdict.
-  const Legend& legend() const { return legend_; }
-  /// Adds a list of triangles for what is inside, one for what is undecided.
-  /// @param inside, undecided namespaces
+  const Legend& legend() const override { return legend_; }
   /// @param ceiling boxes that reach above it are left out [m]; flat ones that do not change along z are lowered to it
-  void addTo(Scene& scene, const std::string& inside, const std::string& undecided,
-             double ceiling = std::numeric_limits<double>::infinity()) const;
+  void addTo(Scene& scene, const std::string& inside, const std::string& undecided, double ceiling) const override;
 
 private:
   /// Part of the surface: undecided or not, axis, side, and its middle.
