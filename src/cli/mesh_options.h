@@ -5,23 +5,24 @@
 
 #include "options.h"
 #include "output.h"
-#include "pkm_workspace/paving/paving.h"
+#include "pkm_workspace/paving/octree_map.h"
 #include "pkm_workspace/paving/set_mesh.h"
 
 namespace pkm_workspace
 {
 namespace cli
 {
-/// The surfaces of a set in files.
+/// A set in files for others: its surfaces, its map.
 class MeshOptions
 {
 public:
   /// @param other file that will be written, too
   void declare(Options& options, const std::string& other);
-  bool areAsked() const { return !inner_.empty() || !outer_.empty(); }
+  /// How many computations are asked for.
+  int count() const { return (hasMeshes() ? 1 : 0) + (map_file_.empty() ? 0 : 1); }
 
-  /// Where there are none, save() says why.
-  void compute(const Machine& machine, const PavingQuery& query);
+  /// Where there are none, save() says why. @param often whether progress is told once a second
+  void compute(const Machine& machine, const PavingQuery& query, bool often);
   /// Nothing where they are not asked for.
   void addTo(Json& json) const;
   std::vector<Words> rows() const;
@@ -29,10 +30,17 @@ public:
   void save(const Machine& machine) const;
 
 private:
+  bool hasMeshes() const { return !inner_.empty() || !outer_.empty(); }
+  void computeMeshes(const Machine& machine, const PavingQuery& query, bool often);
+  void computeMap(const Machine& machine, PavingQuery query, bool often);
+
   std::string inner_;
   std::string outer_;
+  std::string map_file_;
   std::optional<SetMeshes> meshes_;
-  std::string why_none_;
+  std::optional<OctreeMap> map_;
+  std::string why_no_mesh_;
+  std::string why_no_map_;
   Criterion criterion_;
 };
 }  // namespace cli

@@ -49,6 +49,7 @@ public:
            "[m] "
            "and the cluster it is in, no path joins two clusters; clusters, how many; zero_component, the index of the "
            "zero configuration's or null; components_message. "
+           "With --octomap, octomap: its resolution [m], free_voxels, occupied_voxels and free_volume [m^3]. "
            "With --mesh or --outer-mesh, surfaces: inner and outer, each with its triangles, vertices and volume "
            "[m^3], and "
            "distance [m], of no point within the outer one more from the inner one's solid. "
@@ -61,6 +62,7 @@ public:
              "pkm pave --urdf orthoglide.urdf --set dextrous --resolution 0.02 --resume paving.pkm",
              "pkm pave --urdf orthoglide.urdf --volume-to 1e-4",
              "pkm pave --urdf orthoglide.urdf --resolution 0.03 --mesh set.stl --outer-mesh around.stl",
+             "pkm pave --urdf orthoglide.urdf --resolution 0.05 --octomap set.bt",
              "pkm pave --urdf uranesx.urdf --joint-limits off --resolution 0.01",
              "pkm pave --urdf uranesx.urdf --set reachable --resolution 0.1" };
   }
@@ -126,7 +128,7 @@ public:
     PavingReport& asked = paved_.reports[paved_.asked];
     if (components_)
       asked.components = reportComponents(machine_.machine(), asked.paving, !query_.box, queries[paved_.asked].budget);
-    paved_.mesh.compute(machine_.machine(), queries[paved_.asked]);
+    paved_.mesh.compute(machine_.machine(), queries[paved_.asked], progress_);
     return answerOf(machine_.machine(), paved_);
   }
 
@@ -171,8 +173,8 @@ private:
       PavingQuery query = query_;
       query.criterion.aspect = aspect;
       const std::size_t shares = aspects().size() + (components_ ? Components::BYTES_A_BOX : 0);
-      const std::size_t turns = aspects().size() + (paved_.mesh.areAsked() ? 1 : 0);
-      query.budget = query_.budget.inTurns(static_cast<double>(turns)).sharedBy(shares);
+      const auto turns = static_cast<double>(aspects().size()) + paved_.mesh.count();
+      query.budget = query_.budget.inTurns(turns).sharedBy(shares);
       queries.push_back(query);
     }
     return queries;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/common/text.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace pkm_workspace
@@ -24,6 +25,13 @@ std::string shortened(const std::string& text, std::size_t most)
   while (begin < text.size() && !beginsCharacter(text[begin]))
     ++begin;
   return text.substr(0, end) + " [" + std::to_string(begin - end) + " bytes left out] " + text.substr(begin);
+}
+
+bool hasEnding(const std::string& path, const std::string& ending)
+{
+  return path.size() > ending.size() &&
+         std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
 std::string sentence(std::string phrase)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/common/byte_order.h"
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/common/whole_file.h"
 
 namespace pkm_workspace
@@ -13,11 +14,6 @@ namespace pkm_workspace
 namespace
 {
 constexpr std::size_t STL_HEADER = 80;
-
-bool endsIn(const std::string& path, const std::string& ending)
-{
-  return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 void put(const Eigen::Vector3f& vector, ByteWriter& writer)
 {
@@ -29,10 +25,21 @@ void put(const Eigen::Vector3f& vector, ByteWriter& writer)
   }
 }
 
+/// As much of a title as there is room for: whole parts between commas that are in no brackets, one at the least.
+std::string fitting(std::string title, std::size_t most)
+{
+  const auto count = [&title](char letter) { return std::count(title.begin(), title.end(), letter); };
+  for (std::size_t end = 0; (title.size() > most || count('[') != count(']')) && end != std::string::npos;)
+    if (end = title.rfind(", "); end != std::string::npos)
+      title.resize(end);
+  return title;
+}
+
 /// Header, number of triangles; each triangle: normal, corners, two bytes that mean nothing.
 std::string stlOf(const Mesh& mesh, const std::string& title)
 {
-  std::string header = "STL of " + title;  // a file that begins with "solid" would be a text
+  const std::string begin = "STL of ";  // a file that begins with "solid" would be a text
+  std::string header = begin + fitting(title, STL_HEADER - begin.size());
   header.resize(STL_HEADER, ' ');
   ByteWriter writer;
   writer.raw(header.data(), header.size());
@@ -74,13 +81,13 @@ std::string plyOf(const Mesh& mesh, std::string title)
 
 bool isMeshFile(const std::string& path)
 {
-  return endsIn(path, ".stl") || endsIn(path, ".ply");
+  return hasEnding(path, ".stl") || hasEnding(path, ".ply");
 }
 
 void saveMesh(const std::string& path, const Mesh& mesh, const std::string& title)
 {
   if (!isMeshFile(path))
     throw std::invalid_argument(path + ": the name of a mesh's file must end in .stl or .ply");
-  writeWholeFile(path, endsIn(path, ".stl") ? stlOf(mesh, title) : plyOf(mesh, title));
+  writeWholeFile(path, hasEnding(path, ".stl") ? stlOf(mesh, title) : plyOf(mesh, title));
 }
 }  // namespace pkm_workspace

@@ -73,7 +73,7 @@ class Fuzz(CommandTest):
         for command in re.findall(r"(?m)^  ([a-z]+)  ", self.text("--help")):
             options = self.options(command)
             self.assertGreater(len(options), 3, command)
-            for writes in ("output", "save", "mesh", "outer-mesh"):
+            for writes in ("output", "save", "mesh", "outer-mesh", "octomap"):
                 options.pop(writes, None)
             for _ in range(CASES):
                 answered += self.assertAtNoLoss(command, *self.words(chance, options))

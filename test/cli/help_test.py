@@ -32,8 +32,8 @@ OPTIONS = {
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks",
        "gcode", "origin", "tool-at", "work-offset", "tool-length", "rapid-feed", "most-listed"},
-    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "save",
-                                                     "resume", "list-boxes", "components"},
+    "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
+                                                     "save", "resume", "list-boxes", "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
     "compare": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},

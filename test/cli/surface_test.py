@@ -50,11 +50,66 @@ class Surface(CommandTest):
         self.assertGreater(told["distance"], 0)
         self.assertRegex(self.text("pave", "--urdf", ORTHOGLIDE, *words), r"outer surface .* nowhere farther than ")
 
+    def test_titles_are_whole_and_endings_of_any_case(self):
+        for words, told in (((), "within, dextrous with psi in [0.5, 2]"),
+                            (("--strut-angle-max", 0.6, "--psi-min", 0.123456, "--psi-max", 3.4567891), "m, within")):
+            path = self.folder / "set.STL"
+            self.answer("pave", "--urdf", ORTHOGLIDE, "--resolution", 0.2, *words, "--mesh", path)
+            title = path.read_bytes()[:80].decode().rstrip()
+            self.assertTrue(title.startswith("STL of orthoglide, pkm_workspace, m"))
+            self.assertEqual(title.count("["), title.count("]"))
+            self.assertIn(told, title)
+            part = title.rsplit(", ", 1)[-1]
+            whole = self.folder / "set.Ply"
+            self.answer("pave", "--urdf", ORTHOGLIDE, "--resolution", 0.2, *words, "--mesh", whole)
+            comment = re.search(rb"comment (.*)\n", whole.read_bytes())[1].decode()
+            self.assertTrue(comment.startswith(title[len("STL of "):]))
+            self.assertRegex(comment, re.escape(part) + r"(,|$)")
+
+    def test_progress_of_surfaces_is_told(self):
+        words = ("--resolution", "0.03", "--threads", "1", "--progress", "--time-limit", "900")
+        process = subprocess.run([PKM, "pave", "--urdf", ORTHOGLIDE, *words, "--mesh", str(self.folder / "set.stl")],
+                                 capture_output=True, text=True)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertRegex(process.stderr, r"\d+ s: (inner|outer) surface, \d+ cubes at it, \d+ not proved\n")
+
+    def test_a_box_that_is_one_cube(self):
+        for edge in (0.1, 0.05, 0.3):
+            files = self.folder / "set.stl", self.folder / "set.bt"
+            told = self.answer("pave", "--urdf", ORTHOGLIDE, "--resolution", edge, "--box", 0, edge, 0, edge, 0, edge,
+                               "--mesh", files[0], "--octomap", files[1])
+            volume = signed_volume(stl(files[0]))
+            self.assertLess(volume, edge**3)
+            self.assertGreater(volume, 0.4 * edge**3)  # with one vertex of the lattice in it
+            lower, upper = told["surfaces"]["inner"]["volume"]
+            self.assertBrackets(lower, volume, upper, 1e-9)
+            self.assertGreater(told["surfaces"]["outer"]["volume"][0], edge**3)
+
+    def test_a_map_for_planners(self):
+        path = self.folder / "set.BT"
+        words = ("pave", "--urdf", ORTHOGLIDE, "--resolution", 0.0512345678, "--octomap", path)
+        told = self.answer(*words)["octomap"]
+        self.assertEqual(told["resolution"], 0.0512345)
+        self.assertLess(told["free_volume"][1], 1.632)
+        self.assertGreater(told["free_volume"][0], 1.2)
+        self.assertBrackets(told["free_volume"][0], told["free_voxels"] * 0.0512345**3, told["free_volume"][1], 1e-12)
+        header, tree = path.read_bytes().split(b"data\n", 1)
+        self.assertTrue(header.startswith(b"# Octomap OcTree binary file\n# orthoglide, pkm_workspace, m, free: dex"))
+        self.assertIn(b"\nid OcTree\nsize ", header)
+        self.assertIn(b"\nres 0.0512345\n", header)
+        self.assertEqual(len(tree) % 2, 0)
+        self.assertRegex(self.text(*words), rf"map +{told['free_voxels']} free voxels, .* occupied ones of 0.0512345 m")
+
     def test_surfaces_that_there_are_not(self):
         for urdf, words, reason in ((ORTHOGLIDE, ("--mesh", "set.obj"), "must end in .stl or .ply"),
                                     (URANESX, ("--joint-limits", "off", "--mesh", "set.stl"), "flat"),
                                     (ORTHOGLIDE, ("--resolution", 1e-3, "--max-boxes", 9, "--mesh", "set.stl"),
                                      "1/400"),
+                                    (ORTHOGLIDE, ("--octomap", "set.ot"), "must end in .bt"),
+                                    (URANESX, ("--joint-limits", "off", "--octomap", "set.bt"), "flat"),
+                                    (ORTHOGLIDE, ("--resolution", 1e-3, "--max-boxes", 9, "--octomap", "set.bt"),
+                                     "1/400"),
+                                    (ORTHOGLIDE, ("--octomap", "set.bt", "--save", "./set.bt"), "one file"),
                                     (ORTHOGLIDE, ("--mesh", "set.stl", "--outer-mesh", "./set.stl"), "one file"),
                                     (ORTHOGLIDE, ("--mesh", "set.stl", "--save", "./set.stl"), "one file")):
             process = subprocess.run([PKM, "pave", "--urdf", urdf, *map(str, words)], capture_output=True, text=True,
@@ -65,7 +120,8 @@ class Surface(CommandTest):
 
     def test_without_a_surface_the_paving_is_told_all_the_same(self):
         small = (-0.01, 0.01, -0.01, 0.01, -0.01, 0.01)
-        for words, reason in ((("--box", 0.8, 0.9, 0.8, 0.9, 0.8, 0.9), "no point of the box belongs to the set"),
+        for words, reason in ((("--resolution", 0.006, "--time-limit", 0.3, "--octomap", "set.bt"), "give more time"),
+                              (("--box", 0.8, 0.9, 0.8, 0.9, 0.8, 0.9), "no point of the box belongs to the set"),
                               (("--box", *small, "--resolution", 1), "finer --resolution"),
                               (("--resolution", 0.01, "--time-limit", 0.3), "give more time or a coarser")):
             files = ("--mesh", "set.stl", "--save", "set.pkm")

@@ -11,6 +11,9 @@ namespace pkm_workspace
 /// does not grow with it. Characters of UTF-8 stay whole.
 std::string shortened(const std::string& text, std::size_t most);
 
+/// Whether a file's name ends in this after something else, in letters of any case: ".stl".
+bool hasEnding(const std::string& path, const std::string& ending);
+
 /// A phrase with a capital letter and a full stop.
 std::string sentence(std::string phrase);
 
