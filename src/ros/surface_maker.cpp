@@ -3,6 +3,8 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/smooth_surface.h"
 
@@ -64,7 +66,7 @@ std::shared_ptr<const SetPicture> SurfaceMaker::surfaceOf(const Machine& machine
   try
   {
     MeshQuery query = queryOf(machine, paving);
-    query.budget.threads = context_.parameters.query.budget.threads;
+    query.budget.threads = std::max(1, context_.parameters.query.budget.threads / 2);  // who asks goes first
     query.budget.stop = stop.get();
     query.with_outer = with_outer;
     const SetMeshes meshes = setMeshes(machine, query);
