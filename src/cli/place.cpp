@@ -65,7 +65,10 @@ public:
     source_.declare(options, { "vertices" });
     options.words("vertices", "FILE",
                   "in place of a path, a solid part: an STL, or lines of X Y Z [m]; all points of their convex hull",
-                  [this](const Words& words) { task_.vertices = readVertices(words[0]); });
+                  [this](const Words& words) {
+                    task_.vertices = readVertices(words[0]);
+                    task_.part = "--vertices " + words[0] + ": the part";
+                  });
     source_.declareRates(options, task_.rates, false);
     options.box("within", task_.query.translations, "translations that may be chosen; without it, any");
     options.number("base-z", task_.base_z, LENGTH, "height that the lowest point comes to lie at");

@@ -2,6 +2,7 @@
 #include "pkm_workspace/region/placement.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/dexterity/workspace_bounds.h"
@@ -56,6 +57,25 @@ RegionQuery regionQuery(const PlacementQuery& query, const std::shared_ptr<const
   return region;
 }
 
+/// NONE is left for the proof that there is no place: with a margin below the accuracy there may be one.
+void leaveOpen(LargestRegion& found)
+{
+  if (found.status != LargestRegion::Status::NONE || found.size_upper_bound == 0.0)
+    return;
+  found.status = LargestRegion::Status::STOPPED;
+  found.message = "the accuracy ended the search: a finer one may find a place";
+}
+
+/// A point is the same at every scale.
+void requireScale(const Machine& machine, const Workpiece& workpiece)
+{
+  constexpr double ROUNDING = 1e-12;  // of its bounds, of the largest coordinate
+  const Box bounds = workpiece.bounds();
+  const double far = bounds.lower.cwiseAbs().cwiseMax(bounds.upper.cwiseAbs()).maxCoeff();
+  if (!workpiece.solid && bounds.maxWidth() <= ROUNDING * std::max(far, machine.scale()))
+    throw std::invalid_argument("the path is one point, the same at every scale: leave out the largest scale");
+}
+
 LargestScale largestScale(const Machine& machine, const PlacementQuery& query, bool is_placed)
 {
   LargestScale result;
@@ -88,10 +108,13 @@ void PlacementQuery::validate(Problems& problems) const
 Placement findPlacement(const Machine& machine, const PlacementQuery& query)
 {
   const PlacementQuery& valid = validated(query);
+  if (valid.wants_scale)
+    requireScale(machine, *valid.workpiece);
   const auto body = std::make_shared<PathBody>(valid.workpiece, PathBody::Grows::MARGIN, 1.0, valid.limits);
   Placement placement;
   placement.translations = translationsOf(machine, valid, *body);
   placement.found = CenterSearch(machine, regionQuery(valid, body, placement.translations)).run();
+  leaveOpen(placement.found);
   if (valid.wants_scale)
     placement.largest = largestScale(machine, valid, placement.found.size > 0.0);
   return placement;

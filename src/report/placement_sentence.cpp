@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/decimal.h"
 
@@ -50,6 +51,11 @@ std::string marginSentence(const LargestRegion& found, const PlacementQuery& que
          " Whether one has any is not decided.";
 }
 
+std::string whatStopped(const LargestRegion& search)
+{
+  return search.status == LargestRegion::Status::STOPPED ? sentence(search.message) : "";
+}
+
 std::string placeOf(const Eigen::Vector3d& p)
 {
   return "(" + exact(p.x()) + ", " + exact(p.y()) + ", " + exact(p.z()) + ") m";
@@ -72,6 +78,9 @@ std::string scaleSentence(const LargestScale& largest, const PlacementQuery& que
 
 std::string describe(const Placement& placement, const PlacementQuery& query)
 {
-  return marginSentence(placement.found, query) + (placement.largest ? scaleSentence(*placement.largest, query) : "");
+  std::string text = withRemark(marginSentence(placement.found, query), whatStopped(placement.found));
+  if (placement.largest)
+    text = withRemark(text + scaleSentence(*placement.largest, query), whatStopped(placement.largest->search));
+  return text;
 }
 }  // namespace pkm_workspace

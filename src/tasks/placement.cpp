@@ -61,8 +61,9 @@ Vector3d referenceOf(const PlacementTask& task)
 }
 
 /// As seen from the reference.
-ShapePtr solidOf(std::vector<Vector3d> vertices, const Vector3d& reference)
+ShapePtr solidOf(const PlacementTask& task, const Vector3d& reference)
 {
+  std::vector<Vector3d> vertices = task.vertices;
   for (Vector3d& vertex : vertices)
     vertex -= reference;
   try
@@ -71,7 +72,7 @@ ShapePtr solidOf(std::vector<Vector3d> vertices, const Vector3d& reference)
   }
   catch (const std::invalid_argument& reason)
   {
-    throw std::invalid_argument("the part, seen from its reference (" + exact(reference.x()) + ", " +
+    throw std::invalid_argument(task.part + ", seen from its reference (" + exact(reference.x()) + ", " +
                                 exact(reference.y()) + ", " + exact(reference.z()) + ") m: " + reason.what());
   }
 }
@@ -80,7 +81,7 @@ std::shared_ptr<Workpiece> partOf(const PlacementTask& task)
 {
   auto workpiece = std::make_shared<Workpiece>();
   workpiece->reference = referenceOf(task);
-  workpiece->solid = solidOf(task.vertices, workpiece->reference);
+  workpiece->solid = solidOf(task, workpiece->reference);
   return workpiece;
 }
 

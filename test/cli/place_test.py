@@ -71,8 +71,21 @@ class Place(CommandTest):
         self.assertBrackets(scale["scale"], 2.5, scale["upper_bound"])
         self.assertLess(scale["upper_bound"] - scale["scale"], 0.0011)
         low = self.place(*words, "--base-z", -0.2, "--within", -1, 1, 0, 0, -1, 1)
-        self.assertEqual(low["status"], "none" if low["margin"] == 0 else "proven")
+        self.assertEqual(low["status"], "proven" if low["margin"] > 0 else
+                         "stopped" if low["margin_upper_bound"] > 0 else "none")
         self.assertLess(low["margin_upper_bound"], 1e-3)  # it stands on the border of the box
+
+    def test_what_stopped_it_is_said(self):
+        line = ("--segment", "start 0 0 0", "--segment", "line 0.5 0 0")
+        stopped = self.place(*line, "--max-boxes", 1)
+        self.assertEqual(stopped["status"], "stopped")
+        self.assertIn("The limit of 1 box ended the search", stopped["message"].replace("boxes", "box"))
+        tall = self.file("tall.txt", "0 0 0\n0.1 0 0\n0 0.1 0\n0 0 0.2\n")  # as high as the box that it is kept in
+        border = self.place("--vertices", tall, "--keep-in", "box", 0, 0, 0, 0.3, 0.3, 0.2)
+        if border["margin"] == 0:
+            self.assertEqual(border["status"] == "none", border["margin_upper_bound"] == 0, border)
+            told = "Whether one has any is not decided. The accuracy ended the search: a finer one may find a place."
+            self.assertEqual(border["status"] == "stopped", told in border["message"], border)
 
     def test_what_is_left_out_is_told(self):
         job = self.file("job.gcode", "G21 G90\nG1 X10 F3000\nG0 X0 Y0 Z0\nG1 X100 F6000\nG0 Y50\nG1 X0\nM104 S200\n")
@@ -110,6 +123,10 @@ class Place(CommandTest):
         self.assertIn("given twice", self.refused(*line, "--vertices", part))
         self.assertIn("--reference is without effect", self.refused(*line, "--reference", 0, 0, 0))
         self.assertIn("about --largest-scale", self.refused(*line, "--scale-accuracy", 0.1))
+        point = ("--segment", "start 0 0 0", "--segment", "line 0 0 0")
+        self.assertIn("the path is one point, the same at every scale", self.refused(*point, "--largest-scale"))
+        flat = self.file("flat.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n")
+        self.assertRegex(self.refused("--vertices", flat), r"--vertices \S*flat.txt: the part, .*lie in one plane")
         self.assertIn("--tool-speed is without effect", self.refused("--vertices", part, "--tool-speed", 1))
         self.assertIn("joint_acceleration_max is without effect", self.refused(*line, "--joint-acceleration-max", 1))
         self.assertIn("--origin is without effect", self.refused(*line, "--origin", 0, 0, 0))

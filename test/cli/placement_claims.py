@@ -20,8 +20,10 @@ SCALED = (rf" Proved: scaled about \((?P<about>\S+, \S+, \S+)\) m and then moved
           r"chosen allows one above (?P<above>[\d.e+-]+?)\.(?: Speeds do not count for the scale\.)?")
 UNSCALED = (rf" Proved: no translation is such that every point of the path is {QUALITY} at all scales from [01] to "
             r"one above (?P<none_above>[\d.e+-]+?)\.")
+STOPPED = r"(?: [A-Z][^:]* ended the search: [^.]*\.| The accuracy is below what [^.]*\.)?"
 PLACEMENT = (rf"(?:(?P<placed>{PLACED})|(?P<nowhere>{NOWHERE.replace('?P<rates>', '?P<no_rates>')})|(?P<open>{OPEN}))"
-             rf"(?:{SCALED}|{UNSCALED})?{rate_claims.NOT_HELD}(?: (?P<remark>Joint limits are off: .*))?")
+             rf"{STOPPED}(?:(?:{SCALED}|{UNSCALED}){STOPPED})?"
+             rf"{rate_claims.NOT_HELD}(?: (?P<remark>Joint limits are off: .*))?")
 SAMPLES = 12  # of a segment, corners of the margin at each
 
 

@@ -12,6 +12,7 @@ struct PlacementTask
   /// Hands out the segments of a path, in their order; unset for a part.
   std::function<void(const std::function<void(const PathStep&)>& use)> for_each = nullptr;
   std::vector<Eigen::Vector3d> vertices = {};  ///< of a part, their convex hull, in place of a path [m]
+  std::string part = "the part";               ///< what it is called where it is refused
   PathRatesTask rates = {};                    ///< of a path
   std::optional<double> base_z = {};           ///< height that its lowest point comes to lie at, but for rounding [m]
   std::optional<Eigen::Vector3d> reference = {};  ///< about which it is scaled; the middle of its bounds, on a base at
