@@ -14,8 +14,9 @@
 
 Lengths are metres, angles radians. Keywords are the fields of the request and of its criterion by their names (psi_min,
 kappa_max, ...), and besides: frame, ratio (least and largest), search_box and box (two corners each), joint_limits and
-hinge_limits as True or False, one number for all legs where there may be three, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that
-there is not and for a value of another type, Refused where the node refuses, with its error_code and message, and
+hinge_limits as True or False, one number for all legs where there may be three, points and axes as lists of three
+numbers, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that there is
+not and for a value of another type, Refused where the node refuses, with its error_code and message, and
 rospy.ServiceException or rospy.ROSException where there is no node.
 """
 
@@ -33,9 +34,9 @@ from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
 from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceGoal, CriterionRequest, ErrorCode,
                                FindLargestRegionAction, FindLargestRegionGoal, PavingRequest, RegionRequest,
                                ToolSegment, ToolZone)
-from pkm_workspace.srv import (CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion, CheckRegionRequest,
-                               ComputeLargestRegion, ComputeWorkspace, EvaluatePoint, EvaluatePointRequest, GetRegion,
-                               PlacePath, PlacePathRequest, SetCriterion, SetCriterionRequest)
+from pkm_workspace.srv import (CheckGcode, CheckGcodeRequest, CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion,
+                               CheckRegionRequest, ComputeLargestRegion, ComputeWorkspace, EvaluatePoint,
+                               EvaluatePointRequest, ExportLimits, ExportLimitsRequest, GetRegion, PlacePath, PlacePathRequest, SetCriterion, SetCriterionRequest)
 from shape_msgs.msg import SolidPrimitive
 from std_msgs.msg import Header
 
@@ -50,7 +51,7 @@ class Refused(Exception):
 
 TRIPLES = {"geometry_msgs/Point": Point, "geometry_msgs/Vector3": Vector3}
 CORNERS = {"search_box": "use_search_box", "box": "use_box"}
-SWITCHES = {"center": "use_center", "base_z": "use_base"}
+SWITCHES = {"center": "use_center", "base_z": "use_base", "tool_at": "use_tool_at"}
 CHOICES = ("set", "aspect", "psi")
 
 
@@ -94,8 +95,9 @@ def read_value(message, name, value):
     kind = TRIPLES.get(slot)
     if kind and not isinstance(value, kind):
         return kind(*value)
-    if name == "vertices":
-        return [point if isinstance(point, Point) else Point(*point) for point in value]
+    kind = TRIPLES.get(slot[:-2]) if slot.endswith("[]") else None
+    if kind:
+        return [each if isinstance(each, kind) else kind(*each) for each in value]
     if name == "zones":
         return list(value)
     if name in ("joint_limits", "hinge_limits", "own_zones", "turned") and isinstance(value, bool):
@@ -261,6 +263,16 @@ class Client:
         number or three [m/s^2]), joint_speeds_off, largest_feed."""
         return self.call("check_path", CheckPath,
                          fill(CheckPathRequest(segments=segments), criterion, frame, **fields))
+
+    def check_gcode(self, gcode, frame="", criterion=None, **fields):
+        """Whether all of a job in G-code is good, given by its text. Its keywords: origin, work_offsets (of G54, G55, ...),
+        tool_at, rapid_feed [m/s], joint_acceleration_max, joint_speeds_off, most_listed and the others of CheckGcode."""
+        return self.call("check_gcode", CheckGcode, fill(CheckGcodeRequest(gcode=gcode), criterion, frame, **fields))
+
+    def export_limits(self, form, center, solid, criterion=None, **fields):
+        """The limits of a region that is proved, in the words of a firmware: klipper, marlin, reprapfirmware or linuxcnc."""
+        return self.call("export_limits", ExportLimits,
+                         fill(ExportLimitsRequest(format=form, solid=solid), criterion, center=center, **fields))
 
     def place_path(self, segments, frame="", criterion=None, **fields):
         """Where to put a path, with the largest margin. Its keywords: box (two corners of the translations that may be

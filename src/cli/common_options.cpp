@@ -31,6 +31,8 @@ constexpr const char* BALL_AXES_HELP =
     "where ball joints are not tilted: along the strut from slider to platform, in the root frame; without it, as at "
     "joint values 0";
 
+constexpr const char* AFTER_URDF = "; after the --urdf it is about";
+
 Quantity quantityOf(const CriterionBound& bound)
 {
   const bool is_positive = bound.least == LEAST_POSITIVE;
@@ -88,17 +90,23 @@ void MachineOptions::declare(Options& options)
 }
 
 template <class Member>
-void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
-                                   const std::string& help, Member member)
+std::function<void(const Words&)> MachinesOptions::setterOf(Member member)
 {
-  options.repeated(name, values, help + "; after the --urdf it is about", [this, member](const Words& words) {
+  return [this, member](const Words& words) {
     if (requests_.empty())
       throw std::invalid_argument("give it after the --urdf FILE that it is about");
     auto& names = *member(requests_.back().names);
     if (names != std::decay_t<decltype(names)>())
       throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
     assign(words, names);
-  });
+  };
+}
+
+template <class Member>
+void MachinesOptions::declareNames(Options& options, const std::string& name, const std::string& values,
+                                   const std::string& help, Member member)
+{
+  options.repeated(name, values, help + AFTER_URDF, setterOf(member));
 }
 
 void MachinesOptions::declare(Options& options)
@@ -109,6 +117,8 @@ void MachinesOptions::declare(Options& options)
   declareNames(options, "tool-link", "LINK", TOOL_LINK_HELP, [](UrdfOptions& all) { return &all.tool_link; });
   declareNames(options, "tool", "X Y Z", std::string(TOOL_HELP) + "; each " + LENGTH.describe(),
                [](UrdfOptions& all) { return &all.tool; });
+  options.repeatedLegs("ball-axes", "X Y Z", std::string(BALL_AXES_HELP) + AFTER_URDF,
+                       setterOf([](UrdfOptions& all) { return &all.ball_axes; }));
   options.check({}, [this](Problems& problems) {
     for (const Request& request : requests_)
       try
@@ -149,7 +159,7 @@ void declareCriterion(Options& options, Criterion& criterion)
                  "sign of det A at the points that count: that of the machine's zero configuration, the other, or any");
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     options.number(optionOf(bound.name), criterion.*bound.value, quantityOf(bound), bound.help);
-  declareJointData(options, criterion);
+  declareJointData(options, criterion, [](const JointDatum&) { return true; });
   requireEffect(options, criterion);
   options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
   options.onOff("hinge-limits", criterion.hinge_limits, "whether the URDF's limits of passive joints hold too");

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/dexterity/defaults.h"
+#include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 
@@ -68,6 +69,9 @@ private:
     UrdfOptions names;
   };
 
+  /// Sets what @p member names of the machine that was named last.
+  template <class Member>
+  std::function<void(const Words&)> setterOf(Member member);
   template <class Member>
   void declareNames(Options& options, const std::string& name, const std::string& values, const std::string& help,
                     Member member);
@@ -80,8 +84,8 @@ private:
 /// "psi-min" of "psi_min".
 std::string optionOf(std::string name);
 
-/// What is known of the joints, each one number for all legs, or three.
-void declareJointData(Options& options, Criterion& criterion);
+/// What is known of the joints, each one number for all legs, or three. @param has which of it there is an option for
+void declareJointData(Options& options, Criterion& criterion, const std::function<bool(const JointDatum&)>& has);
 /// Refuses what of that counts for nothing that the criterion asks for.
 void requireEffect(Options& options, const Criterion& criterion);
 

@@ -184,7 +184,17 @@ private:
                        wrapped("The strokes are equalised: each begins at the least value of its own joint over the "
                                "region and has the largest length of the three. Singularities within the strokes are "
                                "looked for in both aspects.") +
-                       wrapped(definition(machines_.machines().front().machine, query_.criterion)) };
+                       definitions() };
+  }
+
+  /// Of each machine, which mostly is the same.
+  std::string definitions() const
+  {
+    Words all;
+    for (const UrdfMachine& urdf : machines_.machines())
+      if (const std::string one = wrapped(definition(urdf.machine, query_.criterion)); all.empty() || all.back() != one)
+        all.push_back(one);
+    return joined(all, "");
   }
 
   Answer answerPaper(const Tell& tell)

@@ -45,7 +45,8 @@ public:
         [this](const Words& words) { task_.quantities.push_back(readChoice(words[0], GuaranteeTask::names())); });
     options.choice("aspect", task_.query.criterion.aspect, ASPECT_NAMES,
                    "sign of det A in the region: that of the machine's zero configuration, the other, or any");
-    declareJointData(options, task_.query.criterion);
+    const auto counts = [](const JointDatum& datum) { return !datum.isBound(); };
+    declareJointData(options, task_.query.criterion, counts);
     options.number("accuracy", task_.query.accuracy, Quantity{ "", 1e-12, true, 1.0 },
                    "wanted relative width of a bracket");
     declareBudget(options, task_.query.budget);
@@ -57,7 +58,8 @@ public:
     });
     Words names = { "quantity", "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" };
     for (const JointDatum& datum : JOINT_DATA)
-      names.push_back(optionOf(datum.name));
+      if (counts(datum))
+        names.push_back(optionOf(datum.name));
     options.check(names, [this](Problems& problems) { task_.bounds(machine_.machine(), left_out_, problems); });
   }
 

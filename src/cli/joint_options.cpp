@@ -14,15 +14,17 @@ std::string optionOf(std::string name)
   return name;
 }
 
-void declareJointData(Options& options, Criterion& criterion)
+void declareJointData(Options& options, Criterion& criterion, const std::function<bool(const JointDatum&)>& has)
 {
   for (const JointDatum& datum : JOINT_DATA)
-    options.legs(optionOf(datum.name), "NUMBER", datum.help + std::string(", in ") + datum.unit,
-                 [&values = criterion.*datum.values, &datum](const Words& words) {
-                   const std::vector<double> numbers = readNumbers(words, Quantity{ datum.unit, 0.0, false });
-                   for (std::size_t leg = 0; leg < 3; ++leg)
-                     values[leg] = numbers[numbers.size() == 1 ? 0 : leg];
-                 });
+    if (has(datum))
+      options.legs(optionOf(datum.name), "NUMBER", datum.help + std::string(", in ") + datum.unit,
+                   [&values = criterion.*datum.values, &datum](const Words& words) {
+                     const double most = datum.most < LARGEST_BOUND ? datum.most : INF;
+                     const std::vector<double> numbers = readNumbers(words, Quantity{ datum.unit, 0.0, false, most });
+                     for (std::size_t leg = 0; leg < 3; ++leg)
+                       values[leg] = numbers[numbers.size() == 1 ? 0 : leg];
+                   });
 }
 
 /// What is known of the joints counts with its bound; their speeds on paths, too.

@@ -94,6 +94,13 @@ void Options::legs(const std::string& name, const std::string& values, const std
   options_.back().for_each_leg = true;
 }
 
+void Options::repeatedLegs(const std::string& name, const std::string& values, const std::string& help,
+                           const std::function<void(const Words&)>& read)
+{
+  legs(name, values, help, read);
+  options_.back().repeatable = true;
+}
+
 void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)
 {
   const std::string text = help + "; " + quantity.describe();

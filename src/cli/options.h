@@ -50,6 +50,9 @@ public:
   /// given, and may throw std::invalid_argument with the reason.
   void legs(const std::string& name, const std::string& values, const std::string& help,
             const std::function<void(const Words&)>& read);
+  /// The same, that may be given several times.
+  void repeatedLegs(const std::string& name, const std::string& values, const std::string& help,
+                    const std::function<void(const Words&)>& read);
   void number(const std::string& name, double& target, const Quantity& quantity, const std::string& help);
   void number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
               const std::string& help);

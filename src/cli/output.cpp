@@ -54,6 +54,8 @@ Json contextOf(const Premises& premises)
 {
   Json json = subjectOf(premises);
   json.update(toJson(premises.criterion));
+  for (const Eigen::Vector3d& axis : premises.ball_axes)
+    json["ball_axes"].push_back(toJson(axis));
   return json;
 }
 
@@ -167,41 +169,6 @@ bool isSolid(const Shape& shape)
 std::string name(Containment verdict)
 {
   return verdict == Containment::INSIDE ? "inside" : verdict == Containment::OUTSIDE ? "outside" : "undecided";
-}
-
-namespace
-{
-/// Where the tilt of ball joints is counted from.
-std::string ballAxesInWords(const Machine& machine)
-{
-  std::string text;
-  for (int i = 0; i < 3; ++i)
-    for (const IntervalVector& axis : slidingStrut(machine.leg(i)).ball_axes)
-      text += (text.empty() ? " from the axes (" : ", (") + exact(axis[0].mid()) + ", " + exact(axis[1].mid()) + ", " +
-              exact(axis[2].mid()) + ")";
-  return text.empty() ? " from how the struts stand at joint values 0" : text;
-}
-}  // namespace
-
-std::string definition(const Machine& machine, const Criterion& criterion)
-{
-  using Aspect = Criterion::Aspect;
-  std::string text =
-      criterion.set == Criterion::Set::DEXTROUS ? "Dextrous: reachable" : "Reachable: within reach of all three struts";
-  text += " in the machine's own working mode, ";
-  text += criterion.aspect == Aspect::BOTH
-              ? "in either aspect (any sign of det A)"
-              : "in its " + name(criterion.aspect) + " aspect (the sign of det A " +
-                    (criterion.aspect == Aspect::OWN ? "" : "opposite to that ") + "at the zero configuration)";
-  text += boundsInWords(criterion, &CriterionBound::full);
-  if (criterion.ball_tilt_max > 0.0)
-    text += ballAxesInWords(machine);
-  if (criterion.hinge_limits)
-    text += ", with all passive joints within their limits";
-  text += zonesInWords(criterion.zones, criterion.tool_radius);
-  if (!machine.hasJointLimits())
-    return text + "; the machine has no joint limits.";
-  return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");
 }
 
 std::string seconds(double value)

@@ -16,6 +16,7 @@
 #include "pkm_workspace/region/beyond_limits.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/largest_region.h"
+#include "pkm_workspace/report/definition.h"
 #include "values.h"
 
 namespace pkm_workspace
@@ -54,8 +55,6 @@ void addVertices(const Shape& shape, double size, Json& json);
 std::string name(Containment verdict);
 /// "proven", "stopped" or "none".
 std::string name(LargestRegion::Status status);
-/// One sentence that says what is asked of a point: "Dextrous: reachable ..., with ... in [0.5, 2]; ...".
-std::string definition(const Machine& machine, const Criterion& criterion);
 /// One object for each end of the limits that is passed where they are not asked for: joint, limit and by, how far.
 Json toJson(const Machine& machine, const std::vector<BeyondLimit>& beyond);
 /// The member beyond_limits of an answer without joint limits.

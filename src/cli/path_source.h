@@ -22,8 +22,8 @@ public:
   void declareRates(Options& options, PathRatesTask& rates, bool may_ask_for_feed);
 
   bool isGiven() const { return job_.isGiven() || path_.size() > 0; }
-  Job& job() { return job_; }
-  const Job& job() const { return job_; }
+  JobOption& job() { return job_; }
+  const JobOption& job() const { return job_; }
   PathText& text() { return path_; }
   const PathText& text() const { return path_; }
 
@@ -31,7 +31,7 @@ private:
   void finish(const Options& options, const Words& others, Problems& problems);
 
   PathText path_;
-  Job job_;
+  JobOption job_;
   std::string file_;
 };
 }  // namespace cli

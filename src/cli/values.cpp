@@ -60,14 +60,6 @@ Words wordsOf(const std::string& line)
   return words;
 }
 
-Words linesOf(const std::string& text)
-{
-  Words lines;
-  for (std::size_t begin = 0; begin < text.size(); begin += lines.back().size() + 1)
-    lines.push_back(text.substr(begin, std::min(text.size(), text.find('\n', begin)) - begin));
-  return lines;
-}
-
 std::string quoted(std::string word)
 {
   for (std::size_t k = word.find('\0'); k != std::string::npos; k = word.find('\0', k))

@@ -18,8 +18,6 @@ using Words = std::vector<std::string>;
 
 /// What stands between blanks, up to a #.
 Words wordsOf(const std::string& line);
-/// The lines of a text.
-Words linesOf(const std::string& text);
 /// In quotation marks, with what zero bytes would hide.
 std::string quoted(std::string word);
 

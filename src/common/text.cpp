@@ -48,4 +48,12 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
     text += (i == 0 ? "" : separator) + words[i];
   return text;
 }
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size(); begin += lines.back().size() + 1)
+    lines.push_back(text.substr(begin, std::min(text.size(), text.find('\n', begin)) - begin));
+  return lines;
+}
 }  // namespace pkm_workspace

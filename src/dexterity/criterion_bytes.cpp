@@ -11,8 +11,10 @@ namespace
 {
 /// Of CRITERION_BOUNDS, those that all files hold; the others follow, with the joint data, where any is asked for.
 constexpr std::size_t FIRST_BOUNDS = 5;
+/// Of JOINT_DATA, those that go with these; the last follows where it is asked for.
+constexpr std::size_t FIRST_DATA = JOINT_DATA.size() - 1;
 /// Flags of the last byte that all files hold.
-constexpr unsigned LIMITS = 1, MORE = 2, HINGES = 4, ZONES = 8;
+constexpr unsigned LIMITS = 1, MORE = 2, HINGES = 4, ZONES = 8, TILTS = 16;
 
 /// @return one of the first @p count values of the enumeration
 template <class Enumeration>
@@ -96,11 +98,13 @@ void put(const Criterion& criterion, ByteWriter& writer)
   writer.number(static_cast<std::uint8_t>(values.aspect));
   for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
     writer.real(values.*CRITERION_BOUNDS[k].value);
+  const bool has_tilts = JOINT_DATA[FIRST_DATA].isAskedBy(values);
   writer.number(static_cast<std::uint8_t>((values.joint_limits ? LIMITS : 0U) | (has_more ? MORE : 0U) |
-                                          (values.hinge_limits ? HINGES : 0U) | (values.zones.empty() ? 0U : ZONES)));
+                                          (values.hinge_limits ? HINGES : 0U) | (values.zones.empty() ? 0U : ZONES) |
+                                          (has_tilts ? TILTS : 0U)));
   for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
     writer.real(values.*CRITERION_BOUNDS[k].value);
-  for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
+  for (std::size_t k = 0; has_more && k < FIRST_DATA + (has_tilts ? 1 : 0); ++k)
     for (const double value : values.*JOINT_DATA[k].values)
       writer.real(value);
   if (values.zones.empty())
@@ -118,15 +122,15 @@ Criterion takeCriterion(ByteReader& reader)
   criterion.aspect = takeOneOf<Criterion::Aspect>(ASPECT_NAMES.size(), reader);
   for (std::size_t k = 0; k < FIRST_BOUNDS; ++k)
     criterion.*CRITERION_BOUNDS[k].value = reader.real();
-  const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES | ZONES) + 1, reader);
+  const auto flags = takeOneOf<unsigned>((LIMITS | MORE | HINGES | ZONES | TILTS) + 1, reader);
   criterion.joint_limits = (flags & LIMITS) != 0;
   criterion.hinge_limits = (flags & HINGES) != 0;
-  if (criterion.hinge_limits && (flags & MORE) == 0)
+  if ((flags & (HINGES | TILTS)) != 0 && (flags & MORE) == 0)
     throw std::runtime_error("a choice has the number " + std::to_string(flags));
   const bool has_more = (flags & MORE) != 0;
   for (std::size_t k = FIRST_BOUNDS; has_more && k < CRITERION_BOUNDS.size(); ++k)
     criterion.*CRITERION_BOUNDS[k].value = reader.real();
-  for (std::size_t k = 0; has_more && k < JOINT_DATA.size(); ++k)
+  for (std::size_t k = 0; has_more && k < FIRST_DATA + ((flags & TILTS) != 0 ? 1 : 0); ++k)
     for (double& value : criterion.*JOINT_DATA[k].values)
       value = reader.real();
   if ((flags & ZONES) == 0)

@@ -23,6 +23,12 @@ std::string exact(const JointValues& values)
   return "(" + exact(values[0]) + ", " + exact(values[1]) + ", " + exact(values[2]) + ")";
 }
 
+std::string rangeOf(const JointDatum& datum)
+{
+  return datum.most < LARGEST_BOUND ? "positive and at most " + exact(datum.most)
+                                    : "positive and finite (1e-100 to 1e100)";
+}
+
 std::string jointDataInWords(const Criterion& criterion, double Criterion::*bound)
 {
   std::string text;
@@ -53,10 +59,10 @@ void validateJointData(const Criterion& criterion, Problems& problems)
 {
   for (const JointDatum& datum : JOINT_DATA)
     for (const double value : criterion.*datum.values)
-      if (!(value >= LEAST_POSITIVE && value <= LARGEST_BOUND) && value != 0.0)
+      if (!(value >= LEAST_POSITIVE && value <= datum.most) && value != 0.0)
       {
         complain(problems, datum.name, " = ", exact(criterion.*datum.values), " (", datum.subject, " [", datum.unit,
-                 "]) must be positive and finite (1e-100 to 1e100), one number or one for each joint");
+                 "]) must be ", rangeOf(datum), ", one number or one for each joint");
         break;
       }
 }

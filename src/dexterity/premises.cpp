@@ -71,7 +71,14 @@ Criterion within(const Machine& machine, Criterion criterion)
 
 Premises premisesOf(const Machine& machine, const Criterion& criterion)
 {
-  return { machine.name(), machine.geometryHash(), within(machine, criterion), Pose(), version() };
+  return premisesIn(Pose(), machine, machine.geometryHash(), criterion);
+}
+
+Premises premisesIn(const Pose& root, const Machine& machine, const std::string& geometry_hash,
+                    const Criterion& criterion)
+{
+  return { machine.name(), geometry_hash, within(machine, criterion),
+           root,           version(),     criterion.ball_tilt_max > 0.0 ? givenBallAxes(machine) : BallAxes() };
 }
 
 void put(const Premises& premises, ByteWriter& writer)

@@ -77,12 +77,17 @@ void validate(const SlidingStrut& strut, const std::string& place, Problems& pro
 
 namespace
 {
-/// Nothing for a strut without hinges' limits and balls' axes.
-std::string textOfPassive(const SlidingStrut& strut)
+std::string textOfStops(const SlidingStrut& strut)
 {
   std::string text;
   for (const StrutStop& stop : strut.stops)
     text += (stop.is_upper ? " upper stop" : " lower stop") + exactText(stop.direction) + exactText(stop.least);
+  return text;
+}
+
+std::string textOfBallAxes(const SlidingStrut& strut)
+{
+  std::string text;
   for (const IntervalVector& axis : strut.ball_axes)
     text += " ball axis" + exactText(axis);
   return text;
@@ -92,7 +97,7 @@ std::string textOfPassive(const SlidingStrut& strut)
 std::string exactText(const SlidingStrut& strut)
 {
   return " mode " + std::to_string(strut.working_mode) + exactText(strut.origin) + exactText(strut.axis) +
-         exactText(strut.platform) + exactText(strut.length) + textOfPassive(strut);
+         exactText(strut.platform) + exactText(strut.length) + textOfStops(strut) + textOfBallAxes(strut);
 }
 
 SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation)
@@ -115,10 +120,9 @@ SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const 
   strut.axis = directionBetween(first.axis, last.axis, t);
   strut.platform = between(first.platform, last.platform, t);
   strut.length = between(first.length, last.length, t);
-  if (textOfPassive(first) != textOfPassive(last))
+  if (textOfStops(first) != textOfStops(last))
   {
     strut.stops.clear();
-    strut.ball_axes.clear();
     strut.open_hinges = { "passive hinges differ between the two machines" };
   }
   return strut;
@@ -126,7 +130,9 @@ SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const 
 
 std::string differenceOfModes(const SlidingStrut& first, const SlidingStrut& last)
 {
-  return first.working_mode == last.working_mode ? "" : "have opposite working modes";
+  if (first.working_mode != last.working_mode)
+    return "have opposite working modes";
+  return textOfBallAxes(first) == textOfBallAxes(last) ? "" : "have different ball axes: give both the same";
 }
 
 std::string describe(const SlidingStrut& strut)

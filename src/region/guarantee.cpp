@@ -13,7 +13,7 @@ namespace
 constexpr int MOST_TRIALS = 200;
 constexpr std::int64_t MOST_BOXES = 200000;  ///< of one trial
 
-/// Reach and aspect, and what is known of the joints.
+/// Reach and aspect, and what is known of the joints that is no bound.
 Criterion reachedOnly(const Criterion& criterion)
 {
   Criterion reached = criterion;
@@ -24,6 +24,9 @@ Criterion reachedOnly(const Criterion& criterion)
   for (const CriterionBound& bound : CRITERION_BOUNDS)
     if (bound.is_optional)
       reached.*bound.value = 0.0;
+  for (const JointDatum& datum : JOINT_DATA)
+    if (datum.isBound())
+      reached.*datum.values = JointValues{};
   return reached;
 }
 

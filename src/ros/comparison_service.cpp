@@ -74,6 +74,7 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   if (!request.query.header.frame_id.empty())
     throw std::invalid_argument("header.frame_id = '" + request.query.header.frame_id +
                                 "' must be empty: each machine is looked at in the frame of its own root link");
+  requireNoBallAxes(request.query.criterion, "each machine has its own; pkm compare takes --ball-axes for each");
   RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters,
                                   context_.parameters.query.budget.time_limit);
   if (request.query.turned == RegionRequest::ON)

@@ -30,6 +30,15 @@ geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn)
   return message;
 }
 
+geometry_msgs::Vector3 asVector(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point)
 {
   return { point.x, point.y, point.z };

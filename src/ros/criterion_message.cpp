@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "criterion_fields.h"
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/criterion_bytes.h"
 #include "pkm_workspace/dexterity/fitting_bounds.h"
@@ -18,77 +19,6 @@ namespace pkm_workspace
 {
 namespace
 {
-/// Where the messages have the bounds.
-struct MessageFields
-{
-  double Criterion::*value;
-  double CriterionRequest::*request;
-  double Hypotheses::*hypotheses;
-};
-constexpr MessageFields FIELDS[] = {
-  { &Criterion::psi_min, &CriterionRequest::psi_min, &Hypotheses::psi_min },
-  { &Criterion::psi_max, &CriterionRequest::psi_max, &Hypotheses::psi_max },
-  { &Criterion::force_min, &CriterionRequest::force_min, &Hypotheses::force_min },
-  { &Criterion::force_max, &CriterionRequest::force_max, &Hypotheses::force_max },
-  { &Criterion::kappa_max, &CriterionRequest::kappa_max, &Hypotheses::kappa_max },
-  { &Criterion::tool_speed_min, &CriterionRequest::tool_speed_min, &Hypotheses::tool_speed_min },
-  { &Criterion::tool_force_min, &CriterionRequest::tool_force_min, &Hypotheses::tool_force_min },
-  { &Criterion::stiffness_min, &CriterionRequest::stiffness_min, &Hypotheses::stiffness_min },
-  { &Criterion::position_error_max, &CriterionRequest::position_error_max, &Hypotheses::position_error_max },
-  { &Criterion::strut_angle_min, &CriterionRequest::strut_angle_min, &Hypotheses::strut_angle_min },
-  { &Criterion::strut_angle_max, &CriterionRequest::strut_angle_max, &Hypotheses::strut_angle_max },
-  { &Criterion::ball_tilt_max, &CriterionRequest::ball_tilt_max, &Hypotheses::ball_tilt_max },
-};
-
-/// Where they have what is known of the joints.
-struct JointFields
-{
-  JointValues Criterion::*values;
-  CriterionRequest::_joint_speed_max_type CriterionRequest::*request;
-  Hypotheses::_joint_speed_max_type Hypotheses::*hypotheses;
-};
-constexpr JointFields JOINT_FIELDS[] = {
-  { &Criterion::joint_speed_max, &CriterionRequest::joint_speed_max, &Hypotheses::joint_speed_max },
-  { &Criterion::joint_effort_max, &CriterionRequest::joint_effort_max, &Hypotheses::joint_effort_max },
-  { &Criterion::joint_stiffness, &CriterionRequest::joint_stiffness, &Hypotheses::joint_stiffness },
-  { &Criterion::strut_stiffness, &CriterionRequest::strut_stiffness, &Hypotheses::strut_stiffness },
-  { &Criterion::joint_error_max, &CriterionRequest::joint_error_max, &Hypotheses::joint_error_max },
-};
-
-constexpr bool fieldsAreInOrder()
-{
-  bool in_order = std::size(FIELDS) == CRITERION_BOUNDS.size();
-  for (std::size_t k = 0; in_order && k < CRITERION_BOUNDS.size(); ++k)
-    in_order = FIELDS[k].value == CRITERION_BOUNDS[k].value;
-  in_order = in_order && std::size(JOINT_FIELDS) == JOINT_DATA.size();
-  for (std::size_t k = 0; in_order && k < JOINT_DATA.size(); ++k)
-    in_order = JOINT_FIELDS[k].values == JOINT_DATA[k].values;
-  return in_order;
-}
-static_assert(fieldsAreInOrder(), "each bound needs its fields of both messages, in the order of CRITERION_BOUNDS");
-
-template <class Message>
-constexpr bool numbersAsCriterion()
-{
-  return int(Message::DEXTROUS) == 1 && int(Message::REACHABLE) == 2 && int(Message::OWN) == 1 &&
-         int(Message::OTHER) == 2 && int(Message::BOTH) == 3;
-}
-static_assert(numbersAsCriterion<CriterionRequest>() && numbersAsCriterion<Hypotheses>(), "messages differ");
-
-/// The number of a choice in messages, where 0 stands for the default.
-template <class Choice>
-std::uint8_t toNumber(Choice choice)
-{
-  return static_cast<std::uint8_t>(static_cast<int>(choice) + 1);
-}
-
-/// @param names of the choices @return the fallback for any other number
-template <class Choice, std::size_t N>
-Choice fromNumber(std::uint8_t number, const std::array<const char*, N>& names, Choice fallback)
-{
-  return number >= 1 && number <= names.size() ? static_cast<Choice>(number - 1) : fallback;
-}
-
 void readSet(const CriterionRequest& request, Criterion& criterion, Problems& problems)
 {
   if (request.set <= CriterionRequest::REACHABLE)
@@ -173,6 +103,13 @@ void readZonesOf(const CriterionRequest& request, Criterion& criterion, Problems
   requireEffect(criterion.tool_radius, criterion.zones, problems);
 }
 
+/// They are the machine's; here it is looked whether they count.
+void checkBallAxes(const CriterionRequest& request, JointUse use, const Criterion& criterion, Problems& problems)
+{
+  if (!request.ball_axes.empty() && use != JointUse::ALL && criterion.ball_tilt_max == 0.0)
+    problems.push_back("ball_axes must be empty unless ball_tilt_max is asked for, which they count for");
+}
+
 /// @pre aspect and joint limits have been read
 void choosePsi(const CriterionRequest& request, const Machine& machine, Criterion& criterion, Problems& problems)
 {
@@ -206,6 +143,7 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   readSwitch("hinge_limits", request.hinge_limits, criterion.hinge_limits, problems);
   readZonesOf(request, criterion, problems);
   readJointData(request, use, criterion, problems);
+  checkBallAxes(request, use, criterion, problems);
   criterion = withJointData(machine, criterion);
   choosePsi(request, machine, criterion, problems);
   const Origin origin = [&request](const std::string& name) {
@@ -223,6 +161,20 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   valid.set = criterion.set;
   valid.aspect = criterion.aspect;
   return valid;
+}
+
+BallAxes ballAxesOf(const CriterionRequest& request)
+{
+  BallAxes axes;
+  for (const geometry_msgs::Vector3& axis : request.ball_axes)
+    axes.emplace_back(axis.x, axis.y, axis.z);
+  return axes;
+}
+
+void requireNoBallAxes(const CriterionRequest& request, const std::string& remedy)
+{
+  if (!request.ball_axes.empty())
+    throw std::invalid_argument("ball_axes must be empty: " + remedy);
 }
 
 void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, const Criterion& given,
@@ -243,57 +195,5 @@ Criterion::Aspect aspectOf(std::uint8_t aspect, Criterion::Aspect fallback, Prob
   problems.push_back("aspect = " + std::to_string(aspect) + " must be OWN = 1, OTHER = 2 or BOTH = 3, or 0 for " +
                      name(fallback));
   return fallback;
-}
-
-Hypotheses toMessage(const Premises& premises, double accuracy)
-{
-  const Criterion& criterion = premises.criterion;
-  Hypotheses message;
-  message.machine = premises.machine;
-  message.geometry_hash = premises.geometry_hash;
-  message.root = toMessage(premises.root);
-  message.version = premises.version;
-  message.set = toNumber(criterion.set);
-  message.aspect = toNumber(criterion.aspect);
-  for (std::size_t k = 0; k < CRITERION_BOUNDS.size(); ++k)
-    message.*FIELDS[k].hypotheses = CRITERION_BOUNDS[k].isAskedBy(criterion) ? criterion.*FIELDS[k].value : 0.0;
-  for (std::size_t k = 0; k < JOINT_DATA.size(); ++k)
-    if (JOINT_DATA[k].isAskedBy(criterion))
-      std::copy_n((criterion.*JOINT_FIELDS[k].values).begin(), 3, (message.*JOINT_FIELDS[k].hypotheses).begin());
-  message.joint_limits = criterion.joint_limits;
-  message.hinge_limits = criterion.hinge_limits;
-  for (const Zone& zone : criterion.zones)
-    message.zones.push_back(toMessage(zone));
-  message.tool_radius = criterion.tool_radius;
-  message.accuracy = accuracy;
-  return message;
-}
-
-Premises fromMessage(const Hypotheses& hypotheses)
-{
-  Criterion criterion;
-  criterion.set = fromNumber(hypotheses.set, SET_NAMES, Criterion::Set::REACHABLE);
-  criterion.aspect = fromNumber(hypotheses.aspect, ASPECT_NAMES, Criterion::Aspect::OWN);
-  for (const MessageFields& fields : FIELDS)
-    criterion.*fields.value = hypotheses.*fields.hypotheses;
-  for (const JointFields& fields : JOINT_FIELDS)
-    std::copy_n((hypotheses.*fields.hypotheses).begin(), 3, (criterion.*fields.values).begin());
-  criterion.joint_limits = hypotheses.joint_limits;
-  criterion.hinge_limits = hypotheses.hinge_limits;
-  for (const ToolZone& zone : hypotheses.zones)
-    criterion.zones.push_back(fromMessage(zone));
-  criterion.zones = seenFrom(fromMessage(hypotheses.root), criterion.zones);
-  criterion.tool_radius = hypotheses.tool_radius;
-  return { hypotheses.machine, hypotheses.geometry_hash, canonical(criterion), fromMessage(hypotheses.root),
-           hypotheses.version };
-}
-
-std::string captionOf(const Premises& premises, const std::string& precision, double accuracy)
-{
-  TextStream text;
-  text << describe(premises);
-  if (!precision.empty())
-    text << ", " << precision << ' ' << accuracy << " m";
-  return text.str();
 }
 }  // namespace pkm_workspace

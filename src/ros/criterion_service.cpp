@@ -19,6 +19,7 @@ CriterionService::CriterionService(NodeContext& context, const std::function<voi
 
 void CriterionService::set(const SetCriterion::Request& request, SetCriterion::Response& response)
 {
+  requireNoBallAxes(request.criterion, "those of the node are its parameter ~ball_axes; set that and call ~reload");
   RegionQuery query = context_.query();
   Problems problems;
   query.criterion = fromMessage(request.criterion, context_.machine(), query.criterion, problems);

@@ -63,7 +63,7 @@ Eigen::Isometry3d FramedMachine::toRoot() const
 
 Premises FramedMachine::premises(const Criterion& criterion) const
 {
-  return { machine->name(), geometry_hash, within(*machine, criterion), root, version() };
+  return premisesIn(root, *machine, geometry_hash, criterion);
 }
 
 Criterion FramedMachine::seen(Criterion criterion) const
@@ -137,15 +137,22 @@ void Frames::requireStill(const std::string& frame) const
                       "moves with the machine: name a frame that stands still, such as " + known());
 }
 
-FramedMachine Frames::machineIn(const std::string& name) const
+FramedMachine Frames::machineIn(const std::string& name, const BallAxes& ball_axes) const
 {
   const std::string frame = bare(name);
+  FramedMachine framed = root_;
+  if (!ball_axes.empty())
+  {
+    framed.machine = std::make_shared<const Machine>(withBallAxes(*root_.machine, ball_axes));
+    framed.geometry_hash = framed.machine->geometryHash();
+  }
   if (frame.empty() || frame == root_.frame)
-    return root_;
+    return framed;
   requireStill(frame);
-  FramedMachine framed{ frame, nullptr, root_.geometry_hash, rootIn(frame, true) };
+  framed.frame = frame;
+  framed.root = rootIn(frame, true);
   requireStill(frame);  // tf may not have known before where it hangs
-  framed.machine = std::make_shared<const Machine>(machineInFrame(*root_.machine, framed.root));
+  framed.machine = std::make_shared<const Machine>(machineInFrame(*framed.machine, framed.root));
   return framed;
 }
 }  // namespace pkm_workspace

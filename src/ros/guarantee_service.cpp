@@ -23,6 +23,7 @@ CriterionRequest counted(const CriterionRequest& request)
   counts.joint_stiffness = request.joint_stiffness;
   counts.strut_stiffness = request.strut_stiffness;
   counts.joint_error_max = request.joint_error_max;
+  counts.ball_axes = request.ball_axes;
   return counts;
 }
 
@@ -76,7 +77,7 @@ GuaranteeTask GuaranteeService::read(const ComputeGuarantees::Request& request, 
 
 void GuaranteeService::compute(const ComputeGuarantees::Request& request, ComputeGuarantees::Response& response)
 {
-  const FramedMachine in = context_.frames.machineIn(request.header.frame_id);
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
   GuaranteeTask task = read(request, *in.machine);
   const StopFlag stop = context_.worker.makeStopFlag();
   task.query.budget.stop = stop.get();

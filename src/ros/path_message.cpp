@@ -155,6 +155,18 @@ BindingLimit toMessage(const Limit& limit, const Machine& machine)
   return message;
 }
 
+ToolMotion toMessage(const PathMotion& motion)
+{
+  ToolMotion message;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    message.psi[i] = toMessage(motion.psi[i]);
+    message.joints[i] = toMessage(motion.joint[i]);
+    message.joint_speeds[i] = motion.joint_speed[i];
+  }
+  return message;
+}
+
 void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response)
 {
   response.verdict = constantOf(evaluation.verdict);
@@ -189,12 +201,7 @@ void fill(const PathReport& report, const Machine& machine, CheckPath::Response&
   response.end = static_cast<std::uint8_t>(result.end);  // numbered as PathResult::End
   response.message = report.message;
   if (result.motion)
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      response.motion.psi[i] = toMessage(result.motion->psi[i]);
-      response.motion.joints[i] = toMessage(result.motion->joint[i]);
-      response.motion.joint_speeds[i] = result.motion->joint_speed[i];
-    }
+    response.motion = toMessage(*result.motion);
   if (result.rates)
     fill(report, machine, response.rates);
   if (!result.first)

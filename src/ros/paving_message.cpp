@@ -5,6 +5,7 @@
 #include "pkm_workspace/report/paving_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/solid_message.h"
 
 namespace pkm_workspace
 {
@@ -32,17 +33,64 @@ void add(const BoxTree& tree, CellState state, BoxList& list)
       list.max_corners.push_back(toMessage(box.upper));
     }
 }
+/// @pre the box has been read
+void readConnection(const PavingRequest& request, PavingQuestion& question, Problems& problems)
+{
+  question.components = request.components != 0;
+  if (!request.connect.empty() && request.connect.size() != 2)
+    problems.push_back("connect has " + std::to_string(request.connect.size()) + " points, it must have two, or none");
+  for (const geometry_msgs::Point& point : request.connect)
+  {
+    question.connect.push_back(fromMessage(point));
+    requireFinite("connect", question.connect.back(), problems);
+    if (question.query.box && !question.query.box->contains(question.connect.back()))
+      problems.emplace_back("connect: both points must be in the box of the request");
+  }
+}
+
+WorkspaceComponent componentMessage(const Component& component)
+{
+  WorkspaceComponent message;
+  message.volume_lower_bound = component.volume.lower();
+  message.boxes = component.boxes;
+  message.min_corner = toMessage(component.bounds.lower);
+  message.max_corner = toMessage(component.bounds.upper);
+  message.point = toMessage(component.point);
+  message.cluster = static_cast<std::int64_t>(component.cluster);
+  return message;
+}
+
+void fillComponents(const ComponentsReport& found, Workspace& message)
+{
+  for (const Component& component : found.list)
+    message.components.push_back(componentMessage(component));
+  message.clusters = static_cast<std::int64_t>(found.clusters);
+  if (found.zero)
+    message.zero_component = static_cast<std::int64_t>(*found.zero);
+  message.components_message = found.message;
+}
 }  // namespace
+
+void fill(const ConnectionReport& found, Workspace& message)
+{
+  message.connection = static_cast<std::uint8_t>(found.verdict) + 1;  // in the order of ConnectionReport::Verdict
+  message.connection_message = found.message;
+  for (const Eigen::Vector3d& point : found.path)
+    message.connection_path.push_back(toMessage(point));
+}
 
 PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in, const Criterion& criterion,
                            const Parameters& parameters, double longest)
 {
-  PavingQuestion question{ {}, in, request.max_listed, {} };
+  PavingQuestion question;
+  question.in = in;
+  question.max_listed = request.max_listed;
   question.volume.accuracy = valueOr(request.volume_accuracy, 1.0);
   PavingQuery& query = question.query;
   Problems problems;
   query.criterion = in.seen(fromMessage(request.criterion, *in.machine, criterion, problems));
   query.box = readCorners(request.use_box, request.min_corner, request.max_corner, "use_box", problems);
+  readConnection(request, question, problems);
   query.budget = parameters.query.budget;
   query.budget.time_limit = timeLimitOf(request.time_limit, query.budget.time_limit, longest, problems);
   readMemory(request, parameters, query, problems);
@@ -77,6 +125,9 @@ Workspace toMessage(const PavingQuestion& question, const PavingReport& report, 
   message.boxes_pending = tree.count(CellState::PENDING);
   message.boxes = paving.boxes;
   message.boxes_here = paving.boxes_here;
+  message.zero_component = -1;
+  if (report.components)
+    fillComponents(*report.components, message);
   message.complete = report.complete();
   message.seconds = report.seconds();
   message.message = report.message(*question.in.machine);

@@ -3,6 +3,8 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
@@ -10,6 +12,26 @@
 
 namespace pkm_workspace
 {
+namespace
+{
+/// What is left of the time after the paving.
+Budget restOf(const PavingQuestion& question, const PavingReport& report)
+{
+  const Budget& budget = question.query.budget;
+  return budget.within(std::max(1e-9, budget.time_limit - report.seconds()));
+}
+
+void addConnection(const PavingQuestion& question, const PavingReport& report, Workspace& workspace)
+{
+  ConnectionTask task{ question.query, question.query.resolution, question.connect[0], question.connect[1] };
+  task.query.budget = restOf(question, report);
+  task.query.progress = nullptr;  // it would be of another paving
+  const ConnectionReport found = connect(*question.in.machine, task);
+  fill(found, workspace);
+  workspace.seconds += found.seconds;
+}
+}  // namespace
+
 PavingService::PavingService(NodeContext& context, SetBelow& below)
   : context_(context)
   , below_(below)
@@ -31,8 +53,8 @@ PavingService::PavingService(NodeContext& context, SetBelow& below)
 
 PavingQuestion PavingService::read(const PavingRequest& request, double longest) const
 {
-  return fromMessage(request, context_.frames.machineIn(request.header.frame_id), context_.query().criterion,
-                     context_.parameters, longest);
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
+  return fromMessage(request, in, context_.query().criterion, context_.parameters, longest);
 }
 
 void PavingService::approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell,
@@ -55,14 +77,22 @@ void PavingService::approximate(const Action::Goal& goal, const StopFlag& stop, 
 Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
 {
   question.query.budget.stop = stop.get();
+  if (question.components)
+    question.query.budget = question.query.budget.sharedBy(1 + Components::BYTES_A_BOX);
   ROS_INFO_STREAM_NAMED("server", "computing: " << describe(question.query));
-  const auto report = std::make_shared<const PavingReport>(withRemedy(PAVING_REMEDY, [&] { return goOn(question); }));
+  PavingReport paved = withRemedy(PAVING_REMEDY, [&] { return goOn(question); });
+  if (question.components)
+    paved.components =
+        reportComponents(*question.in.machine, paved.paving, !question.query.box, restOf(question, paved));
+  const auto report = std::make_shared<const PavingReport>(std::move(paved));
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     last_ = report;
   }
   const Paving& paving = report->paving;
-  const Workspace workspace = toMessage(question, *report, ros::Time::now());
+  Workspace workspace = toMessage(question, *report, ros::Time::now());
+  if (!question.connect.empty())
+    addConnection(question, *report, workspace);
   const std::string effort =
       std::to_string(paving.boxes_here + report->size.boxes) + " boxes, " + nearly(report->seconds(), 3) + " s";
   ROS_INFO_STREAM_NAMED("server", workspace.message << ' ' << effort);

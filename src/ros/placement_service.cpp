@@ -27,15 +27,6 @@ CheckPath::Request pathOf(const PlacePath::Request& request)
   return path;
 }
 
-geometry_msgs::Vector3 asVector(const Eigen::Vector3d& v)
-{
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
-
 void fill(const Placement& placement, PlacePath::Response& response)
 {
   const LargestRegion& found = placement.found;
@@ -85,7 +76,7 @@ PlacementTask PlacementService::read(const PlacePath::Request& request, const Ma
 void PlacementService::compute(const PlacePath::Request& request, PlacePath::Response& response)
 {
   const CheckPath::Request path = pathOf(request);
-  const FramedMachine in = context_.frames.machineIn(frameOf(path));
+  const FramedMachine in = context_.frames.machineIn(frameOf(path), ballAxesOf(request.criterion));
   PlacementTask task = read(request, *in.machine);
   task.query.criterion = in.seen(task.query.criterion);
   task.for_each = [&path](const auto& use) { forEachSegment(path, use); };

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/planner_service.h"
 
+#include <algorithm>
+
+#include "pkm_workspace/common/text.h"
 #include "pkm_workspace/dexterity/defaults.h"
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
+#include "pkm_workspace/ros/gcode_message.h"
 #include "pkm_workspace/ros/path_message.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/ros/verdict_message.h"
+#include "pkm_workspace/tasks/limits_export.h"
 
 namespace pkm_workspace
 {
@@ -29,6 +35,11 @@ PlannerService::PlannerService(NodeContext& context)
                                      [this](const auto& request, auto& response) { checkRegion(request, response); }))
   , check_path_(offer<CheckPath>(checking_, context.health, "check_path",
                                  [this](const auto& request, auto& response) { checkPath(request, response); }))
+  , check_gcode_(offer<CheckGcode>(checking_, context.health, "check_gcode",
+                                   [this](const auto& request, auto& response) { checkGcode(request, response); }))
+  , export_limits_(
+        offer<ExportLimits>(checking_, context.health, "export_limits",
+                            [this](const auto& request, auto& response) { exportLimits(request, response); }))
   , evaluate_point_(
         offer<EvaluatePoint>(context.deciding, context.health, "evaluate_point",
                              [this](const auto& request, auto& response) { evaluatePoint(request, response); }))
@@ -45,15 +56,21 @@ template <class Response>
 PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, const CriterionRequest& request,
                                                      Response& response, JointUse use)
 {
-  const FramedMachine in = context_.frames.machineIn(frame);
+  const FramedMachine in = context_.frames.machineIn(frame, ballAxesOf(request));
+  response.header = headerOf(in, ros::Time::now());
+  return prepare(in, request, response, use);
+}
+
+template <class Response>
+PlannerService::EvaluatorPtr PlannerService::prepare(const FramedMachine& in, const CriterionRequest& request,
+                                                     Response& response, JointUse use)
+{
   Problems problems;
   const Criterion criterion = fromMessage(request, context_.machine(), context_.query().criterion, problems, use);
   throwProblems(problems);
   const Premises premises = in.premises(in.seen(criterion));
-  const EvaluatorPtr evaluator = evaluatorFor(*in.machine, premises);
-  response.header = headerOf(in, ros::Time::now());
   response.hypotheses = toMessage(premises, 0.0);
-  return evaluator;
+  return evaluatorFor(*in.machine, premises);
 }
 
 PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const Machine& machine, const Premises& premises)
@@ -69,18 +86,24 @@ PlannerService::EvaluatorPtr PlannerService::evaluatorFor(const Machine& machine
   return evaluator_;
 }
 
+Budget PlannerService::budgetOf(std::int64_t max_boxes, Problems& problems) const
+{
+  if (max_boxes < 0)
+    problems.push_back("max_boxes = " + std::to_string(max_boxes) + " must be positive, or 0 for " +
+                       std::to_string(DEFAULT_CHECK_BOXES));
+  Budget budget = context_.parameters.query.budget;
+  budget.max_boxes = max_boxes == 0 ? DEFAULT_CHECK_BOXES : max_boxes;
+  budget.stop = crew_.stopFlag();
+  return budget;
+}
+
 void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegion::Response& response)
 {
   const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response);
   Problems problems;
   const auto region = fromMessage(request.solid, request.vertices, request.center, problems);
-  if (request.max_boxes < 0)
-    problems.push_back("max_boxes = " + std::to_string(request.max_boxes) + " must be positive, or 0 for " +
-                       std::to_string(DEFAULT_CHECK_BOXES));
+  const Budget budget = budgetOf(request.max_boxes, problems);
   throwProblems(problems);
-  Budget budget = context_.parameters.query.budget;
-  budget.max_boxes = request.max_boxes == 0 ? DEFAULT_CHECK_BOXES : request.max_boxes;
-  budget.stop = crew_.stopFlag();
   const auto& [solid, center] = *region;
   const ContainmentResult result = checkContainment(evaluator->test(), *solid.shape, center, solid.size, budget);
   response.verdict = constantOf(result.verdict);
@@ -105,6 +128,49 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
   };
   task.place = [](std::size_t segment) { return "segment " + std::to_string(segment); };
   fill(pkm_workspace::checkPath(*evaluator, task), evaluator->machine(), response);
+}
+
+void PlannerService::checkGcode(const CheckGcode::Request& request, CheckGcode::Response& response)
+{
+  const EvaluatorPtr evaluator = prepare(request.header.frame_id, request.criterion, response, JointUse::SPEEDS_TOO);
+  JobTask job;
+  Problems problems;
+  read(request, job, problems);
+  PathTask task;
+  task.rates = ratesOf(request, context_.parameters.joint_acceleration_max);
+  task.rates.validate(problems);
+  throwProblems(problems);
+  task.query.stop = crew_.stopFlag();
+  job.describeTo(task);
+  const PathReport report = pkm_workspace::checkPath(*evaluator, task);
+  fill(report, job, evaluator->machine(), response);
+}
+
+void PlannerService::exportLimits(const ExportLimits::Request& request, ExportLimits::Response& response)
+{
+  const FramedMachine in = context_.frames.machineIn("", ballAxesOf(request.criterion));
+  const EvaluatorPtr evaluator = prepare(in, request.criterion, response, JointUse::BOUNDS);
+  Problems problems;
+  ExportTask task;
+  task.format = request.format;
+  const std::vector<std::string> formats = limitFormats();
+  if (std::find(formats.begin(), formats.end(), task.format) == formats.end())
+    problems.push_back("format = '" + task.format + "' must be one of " + joined(formats, ", "));
+  if (const auto region = fromMessage(request.solid, request.center, problems))
+    task.region = *region;
+  task.top_by_slicer = request.top_by_slicer != 0;
+  task.remedies = { "type = CYLINDER with height and radius", "center 0 0 z", "type = BOX with three sides",
+                    "joint_limits = OFF", "top_by_slicer" };
+  task.budget = budgetOf(request.max_boxes, problems);
+  throwProblems(problems);
+  const ExportReport report = pkm_workspace::exportLimits(*evaluator, task);
+  response.text = report.limits.text;
+  for (const auto& [key, value] : report.limits.values)
+  {
+    response.keys.push_back(key);
+    response.values.push_back(*parseNumber(value));
+  }
+  response.message = report.message;
 }
 
 void PlannerService::evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response)

@@ -53,15 +53,10 @@ void addStops(const Model& model, const Rail& rail, const ClosedLeg& closed, Sli
   strut.open_hinges = hinges.open;
 }
 
-void checkBallAxes(const std::vector<Eigen::Vector3d>& axes)
+void checkBallAxes(const BallAxes& axes)
 {
   Problems problems;
-  if (!axes.empty() && axes.size() != 1 && axes.size() != 3)
-    complain(problems, "ball_axes: ", axes.size(), " axes, expected one for all legs or one for each of the three");
-  for (const Eigen::Vector3d& axis : axes)
-    if (!axis.allFinite() || !(axis.norm() >= 1e-9 && axis.norm() <= 1e9))
-      complain(problems, "ball_axes: ", vectorText(axis),
-               " is no direction, expected a vector of a length from 1e-9 to 1e9");
+  validateBallAxes(axes, problems);
   throwRefusal(problems);
 }
 
@@ -146,11 +141,8 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
   throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
-  {
     legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool);
-    if (!options.ball_axes.empty())
-      slidingStrut(legs[i]).ball_axes = { enclose(options.ball_axes[options.ball_axes.size() == 1 ? 0 : i]) };
-  }
+  setBallAxes(options.ball_axes, legs);
   const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);
   if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())
     return drawn;

@@ -142,6 +142,37 @@ class Conditions(CommandTest):
         leaning = self.answer("largest", "--urdf", ORTHOGLIDE, *REACHABLE, *EACH["ball_tilt_max"],
                               "--ball-axes", 1, 0.3, 0, 0, 1, 0, 0, 0, 1)
         self.assertLess(leaning["size_upper_bound"], straight["size"])
+        self.assertEqual(leaning["ball_axes"], [[1, 0.3, 0], [0, 1, 0], [0, 0, 1]])
+        self.assertNotIn("ball_axes", straight)
+
+    def test_struts_have_tilts_of_their_own(self):
+        words = ("--urdf", ORTHOGLIDE, *REACHABLE, *EACH["ball_tilt_max"])
+        for tilts, least in (((0.5, 0.3, 0.5), 0.3), ((0.9, 0.5, 1.2), 0.5), ((0.2, ), 0.2)):
+            answer = self.answer("largest", *words, "--strut-tilt-max", *tilts)
+            edge = math.sqrt(2) * math.sin(least)  # across the strut that tilts least, as far as all may
+            self.assertLessEqual(answer["size"], edge * (1 + 1e-12))
+            self.assertGreaterEqual(answer["size_upper_bound"], edge * (1 - 1e-12))
+            self.assertEqual(answer["strut_tilt_max"], list(tilts) * (3 // len(tilts)))
+        self.assertIn("tilted by at most 0.5 rad and those of each strut by at most (0.5, 0.3, 0.5) rad from how",
+                      re.sub(r"\s+", " ", self.text("largest", *words, "--strut-tilt-max", 0.5, 0.3, 0.5)))
+        for tilts, message in (((0.3, ), "is without effect: it counts for --ball-tilt-max"), ((2, ), "1.5707963")):
+            process = run("largest", "--urdf", ORTHOGLIDE, "--strut-tilt-max", *tilts)
+            self.assertEqual(process.returncode, 2)
+            self.assertIn(message, process.stderr)
+
+    def test_each_machine_has_its_ball_axes(self):
+        words = (*REACHABLE, *EACH["ball_tilt_max"], "--accuracy", 0.01)
+        leaning = ("--ball-axes", 1, 0.3, 0, 0, 1, 0, 0, 0, 1)
+        straight, other = self.answer("compare", "--urdf", ORTHOGLIDE, "--urdf", ORTHOGLIDE, *leaning,
+                                      *words)["machines"]
+        self.assertLess(other["size_upper_bound"], straight["size"])
+        process = run("study", "--urdf", ORTHOGLIDE, "--urdf", ORTHOGLIDE, *leaning, "--range", 0, 1, *words)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("of the two machines have different ball axes: give both the same", process.stderr)
+        answer = self.answer("study", "--urdf", ORTHOGLIDE, *leaning, "--urdf", ORTHOGLIDE, *leaning, "--range", 0, 1,
+                             *words)
+        self.assertLessEqual(answer["size"], other["size_upper_bound"])
+        self.assertGreaterEqual(answer["size_upper_bound"], other["size"])
 
 
 if __name__ == "__main__":

@@ -49,21 +49,29 @@ def joined(case, start, end):
 def components(case, match):
     pattern = r"(?m)^  (\d+ +\d+ +\S+ m\^[23] +\d+ +\(.*)"
     rows = [line.split(None, 2) for line in re.findall(pattern, case.text)]
-    points = [numbers(line[2][line[2].index("("):])[:3] for line in rows]
     hold(len(rows) == min(10, int(match["count"])), match[0], "but the table has", len(rows))
-    told = {line[1] for line in rows}
-    hold(len(rows) == 10 or len(told) == int(match["clusters"] or 1), match[0], "but the table has", told)
-    for point in points:
+    pieces(case, match, [(line[1], numbers(line[2][line[2].index("("):])[:3]) for line in rows], len(rows) == 10)
+
+
+def pieces(case, match, rows, are_some):
+    """rows: the cluster of each component, and a point in it; are_some: there may be more of them"""
+    told = {cluster for cluster, _ in rows}
+    hold(are_some or len(told) == int(match["clusters"] or 1), match[0], "but there are", told)
+    for _, point in rows:
         hold(case.machine.verdict(point, case.criterion) == GOOD, point, "is not good")
-    for k in range(1, min(3, len(rows))):
-        if rows[0][1] != rows[k][1]:
-            hold(not joined(case, points[0], points[k]), "a flood joins", points[0], points[k])
+    for cluster, point in rows[1:3]:
+        if rows[0][0] != cluster:
+            hold(not joined(case, rows[0][1], point), "a flood joins", rows[0][1], point)
 
 
 def connected(case, match):
     path = [numbers(line) for line in re.findall(r"(?m)^  path +(\(.*\)) m$", case.text)]
+    way(case, match, path, numbers(row(case.text, "from")), numbers(row(case.text, "to")))
+
+
+def way(case, match, path, first, last):
     hold(len(path) == int(match["lines"]) + 1, match[0], "but there are", len(path), "points")
-    hold(path[0] == numbers(row(case.text, "from")) and path[-1] == numbers(row(case.text, "to")), "another path")
+    hold(path[0] == first and path[-1] == last, "another path")
     for start, end in zip(path, path[1:]):
         for t in range(101):
             point = plus(start, plus(end, start, -1), t / 100)
@@ -71,7 +79,10 @@ def connected(case, match):
 
 
 def apart(case, match):
-    start, end = (numbers(row(case.text, label)) for label in ("from", "to"))
+    part(case, *(numbers(row(case.text, label)) for label in ("from", "to")))
+
+
+def part(case, start, end):
     for point in (start, end):
         hold(case.machine.verdict(point, case.criterion) == GOOD, point, "is not good")
     hold(not joined(case, start, end), "a flood joins the points")

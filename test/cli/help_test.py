@@ -35,15 +35,16 @@ OPTIONS = {
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
                                                      "save", "resume", "list-boxes", "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
-    "compare": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
+    "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
-    "study": (MACHINE - {"ball-axes"}) | SHARED_CRITERION | BUDGET | COMMON
+    "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | {"machine", "parameter", "range", "parts", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
     "conditioning": MACHINE | CRITERION | BUDGET | COMMON
     | BODY | {"center", "accuracy"},
-    "guarantee": MACHINE | BUDGET | COMMON | BODY | JOINT_DATA | {"center", "aspect", "accuracy", "quantity"},
+    "guarantee": MACHINE | BUDGET | COMMON | BODY | (JOINT_DATA - {"strut-tilt-max"})
+    | {"center", "aspect", "accuracy", "quantity"},
     "export": MACHINE | CRITERION | COMMON | BODY | {"time-limit", "center", "format", "top-by-slicer", "output"},
     "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",

@@ -26,7 +26,7 @@ LAYERS = {
     "region": BELOW_DEXTERITY | {"dexterity"},
     "paving": BELOW_DEXTERITY | {"dexterity"},
     "report": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
-    "tasks": BELOW_DEXTERITY | {"dexterity", "region", "paving", "report"},
+    "tasks": BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "import"},
     "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
     "import": BELOW_DEXTERITY,

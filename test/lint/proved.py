@@ -50,9 +50,10 @@ COVERED = {
     "hinge_limits cannot be proved: ": HELP,
     "the set has no proved volume.": {COMMAND: ("no mean", ), NODE: ("no mean", )},
     "Proved: the points of the box that are ": {COMMAND: ("volume", ), NODE: ("set", )},
-    "Proved: the boxes inside form ": {COMMAND: ("components", )},
-    "Proved: the points are connected, and every point of the path of ": {COMMAND: ("connected", )},
-    "Proved: the points are apart. Both are ": {COMMAND: ("apart", )},
+    "Proved: the boxes inside form ": {COMMAND: ("components", ), NODE: ("components", )},
+    "Proved: the points are connected, and every point of the path of ": {COMMAND: ("connected", ),
+                                                                          NODE: ("connected", )},
+    "Proved: the points are apart. Both are ": {COMMAND: ("apart", ), NODE: ("apart", )},
     "Proved: no machine of the range has a ": {COMMAND: ("study", )},
     "Proved: the machine with ": {COMMAND: ("study", )},
     "box inside: proved for every point": {NODE: ("box inside", )},
@@ -61,7 +62,7 @@ COVERED = {
     "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, ": HELP,
     "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all ": HELP,
 }
-COMMAND_ONLY = ("src/cli/", "src/report/connection_sentence.")
+COMMAND_ONLY = "src/cli/"
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 SAYS, BEGINS = r"\b[Pp]rove[dn]?\b", r"Proved|proved:|Neither"
 

@@ -88,7 +88,11 @@ public:
     if (criterion_.position_error_max > 0.0)
       atMost(tool.valueOf(ConditionKind::POSITION_ERROR_MAX), criterion_.position_error_max);
     atMost(tool.valueOf(ConditionKind::STRUT_ANGLE_MAX), criterion_.strut_angle_max);
-    atMost(tilt(*there), criterion_.ball_tilt_max);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      atMost(tilt(*there, i), criterion_.ball_tilt_max);
+      atMost(tilt(*there, i), criterion_.ball_tilt_max > 0.0 ? criterion_.strut_tilt_max[i] : 0.0);
+    }
     if (criterion_.set == Criterion::Set::DEXTROUS)
     {
       const auto psi = transmissionFactors(*jacobians(machine_, p));
@@ -98,16 +102,11 @@ public:
   }
 
 private:
-  double tilt(const Standing& there) const
+  double tilt(const Standing& there, std::size_t i) const
   {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const Tool::Vector &a = zero_[i], &b = there.strut[i];
-      const double cosine = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (length(a) * length(b));
-      largest = std::max(largest, std::acos(std::min(1.0, cosine)));
-    }
-    return largest;
+    const Tool::Vector &a = zero_[i], &b = there.strut[i];
+    const double cosine = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / (length(a) * length(b));
+    return std::acos(std::min(1.0, cosine));
   }
 
   const Machine& machine_;

@@ -14,6 +14,7 @@ from actionlib_msgs.msg import GoalStatus
 from node_process import NAME, PATIENCE, NodeProcess, urdf
 from pkm_workspace.client import Client, Refused, arc, line, turn
 from pkm_workspace.msg import CriterionRequest, ErrorCode, Region
+from shape_msgs.msg import SolidPrimitive
 
 ENDLESS = {"set": "reachable", "resolution": 1e-4, "time_limit": 86400.0}  # a paving
 
@@ -81,6 +82,33 @@ class ClientsTest(unittest.TestCase):
             self.machine.place_path(way, accuracy=-1)
         with self.assertRaisesRegex(Refused, "joint_speeds_off"):
             self.machine.place_path(way, joint_speeds_off=True)
+
+    def test_checks_jobs(self):
+        job = "G90 G1 F600 X0 Y0 Z0\nX100\nX900 Y900\n"
+        answer = self.machine.check_gcode(job, tool_at=(0, 0, 0), most_listed=5)
+        self.assertEqual((answer.verdict, answer.lines, answer.moves), (Client.OUTSIDE, 3, 2))
+        self.assertEqual([(line.line, line.verdict) for line in answer.offences], [(3, Client.OUTSIDE)])
+        at = self.machine.check_gcode(job[:-12], origin=(0.1, 0, 0), work_offsets=[(0, 0, 0.1)])
+        self.assertEqual(at.verdict, Client.INSIDE)
+        with self.assertRaisesRegex(Refused, "gcode:2: .*G81"):
+            self.machine.check_gcode("G1 X0 F600\nG81 X1\n")
+
+    def test_exports_limits(self):
+        box = SolidPrimitive(SolidPrimitive.BOX, [0.2, 0.2, 0.2])
+        limits = self.machine.export_limits("linuxcnc", (0.1, 0, 0), box)
+        self.assertEqual(len(limits.keys), 6)
+        self.assertIn("[AXIS_X]\nMIN_LIMIT = ", limits.text)
+        with self.assertRaisesRegex(Refused, "cannot be held"):
+            self.machine.export_limits("klipper", (0.1, 0, 0), box)
+
+    def test_hangs_sets_together(self):
+        found = self.machine.workspace(resolution=0.1, components=True, connect=[(0, 0, 0), (0.2, 0.1, 0)])
+        self.assertEqual((found.connection, found.zero_component), (found.CONNECTED, 0))
+        self.assertGreater(len(found.connection_path), 1)
+        tilted = self.machine.largest_region(accuracy=0.01, ball_tilt_max=0.5, strut_tilt_max=(0.3, 0.4, 0.5),
+                                             ball_axes=[(1, 0, 0), (0, 1, 0), (0, 0, 1)]).hypotheses
+        self.assertEqual(list(tilted.strut_tilt_max), [0.3, 0.4, 0.5])
+        self.assertEqual([axis.x for axis in tilted.ball_axes], [1, 0, 0])
 
     def test_sets_the_criterion(self):
         self.assertEqual(self.machine.set_criterion(psi_min=0.4, accuracy=0.02).psi_min, 0.4)

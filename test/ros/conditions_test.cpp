@@ -63,6 +63,13 @@ TEST(Conditions, eachMakesTheRegionSmaller)
   EXPECT_EQ(196.0, hypothesesOf([](CriterionRequest& asked) { asked.tool_force_min = 196.0; }).tool_force_min);
   EXPECT_EQ(0.4, hypothesesOf([](CriterionRequest& asked) { asked.strut_angle_max = 0.4; }).strut_angle_max);
   EXPECT_EQ(0.4, hypothesesOf([](CriterionRequest& asked) { asked.ball_tilt_max = 0.4; }).ball_tilt_max);
+  const Hypotheses each = hypothesesOf([](CriterionRequest& asked) {
+    asked.ball_tilt_max = 0.5;
+    asked.strut_tilt_max = { 0.4, INFINITY, 0.45 };
+  });
+  EXPECT_EQ(0.4, each.strut_tilt_max[0]);
+  EXPECT_EQ(0.0, each.strut_tilt_max[1]);
+  EXPECT_EQ(0U, each.ball_axes.size());
   const Hypotheses stiff = hypothesesOf([](CriterionRequest& asked) {
     asked.stiffness_min = 4e5;
     asked.joint_stiffness = { 1e6 };
@@ -75,6 +82,34 @@ TEST(Conditions, eachMakesTheRegionSmaller)
     asked.joint_error_max = { 1e-5 };
   });
   EXPECT_EQ(1e-5, exact.joint_error_max[2]);
+}
+
+TEST(Conditions, countTiltsFromTheAxesOfTheRequest)
+{
+  RegionRequest query;
+  query.criterion.set = CriterionRequest::REACHABLE;
+  query.criterion.ball_tilt_max = 0.4;
+  const auto straight = compute(query);
+  query.criterion.ball_axes.resize(3);
+  for (std::size_t leg = 0; leg < 3; ++leg)  // as at joint values 0
+  {
+    query.criterion.ball_axes[leg].x = leg == 0 ? 2.0 : 0.0;
+    query.criterion.ball_axes[leg].y = leg == 1 ? 2.0 : 0.0;
+    query.criterion.ball_axes[leg].z = leg == 2 ? 2.0 : 0.0;
+  }
+  const auto same = compute(query);
+  expectProven(same);
+  EXPECT_LE(same.region.size, straight.region.size_upper_bound);
+  EXPECT_LE(straight.region.size, same.region.size_upper_bound);
+  EXPECT_EQ(query.criterion.ball_axes, same.region.hypotheses.ball_axes);
+  EXPECT_NE(straight.region.hypotheses.geometry_hash, same.region.hypotheses.geometry_hash);
+  query.criterion.ball_axes[0].y = 1.0;
+  EXPECT_LT(compute(query).region.size_upper_bound, straight.region.size);
+  query.criterion.ball_axes.pop_back();
+  expectRefusal(compute(query), "ball_axes: 2 axes, expected one for all legs or one for each");
+  query.criterion.ball_axes.resize(1);
+  query.criterion.ball_tilt_max = 0.0;
+  expectRefusal(compute(query), "ball_axes must be empty unless ball_tilt_max is asked for");
 }
 
 TEST(Conditions, areRefusedWhereSomethingIsMissing)

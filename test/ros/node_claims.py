@@ -6,6 +6,7 @@ import re
 
 import answer_claims as answers
 import marker_claims as markers
+import piece_claims as pieces
 import sentences
 from claims import criterion_of
 from reasons import N, hold
@@ -19,9 +20,13 @@ EFFORT = r" \d+ boxes, \S+ s"
 BY_COMMAND = ("inside", "remark", "bad point", "singular point", "nothing", "good point", "no good point",
               "path inside", "path leaves", "path too fast", "placement", "singularities")
 
+LINES = r"(?: \d+ lines offend: \d+ outside, \d+ undecided\.)?"  # of a job in G-code
+
 # name: pattern, and the function that holds a match against the oracle; None where nothing is claimed
 CLAIMS = {
     **{name: sentences.CLAIMS[name] for name in BY_COMMAND},
+    **{"job" + name[4:]: (sentences.CLAIMS[name][0] + LINES, sentences.CLAIMS[name][1])
+       for name in ("path inside", "path leaves", "path too fast")},
     "region": (r"(?P<proven>Proved to the accuracy asked for)\." + REMARK, answers.region),
     "no region": (r"(?P<none>No (?:region|cylinder) .*, proved)\.", answers.region),
     "wide": (r"(?:.* ended the search: the bracket holds, but is wide|The accuracy is below what .*?)\." + REMARK,
@@ -32,6 +37,9 @@ CLAIMS = {
     "no guarantee": sentences.CLAIMS["no guarantee"],
     "guarantees": (r"\d+ quantities are told\.(?: \S+ s)?", None),
     "set": (sentences.VOLUME, answers.paving),
+    "components": (sentences.CLAIMS["components"][0], pieces.components),
+    "connected": (sentences.CLAIMS["connected"][0], pieces.connected),
+    "apart": (sentences.CLAIMS["apart"][0], pieces.apart),
     "comparison": (r"(?P<count>\d+) machines were compared\.", answers.comparison),
     "asked": ("Computing: " + QUESTION + r"\.", None),
     # log lines and /diagnostics: the answer to the question before it
@@ -68,6 +76,8 @@ RARE = {"singular point", "box undecided", "wide told", "tool elsewhere"}  # may
 SOURCES = {
     "check_region": ("inside", "remark", "bad point", "singular point", "nothing"),
     "check_path": ("path inside", "path leaves", "path too fast", "nothing"),
+    "check_gcode": ("job inside", "job leaves", "job too fast"),
+    "export_limits": ("inside", "remark"),
     "place_path": ("placement", ),
     "evaluate_point": ("good point", "no good point", "nothing"),
     "compute_largest_region": REGION,
@@ -75,7 +85,7 @@ SOURCES = {
     "get_region": REGION,
     "compute_conditioning": ("mean", "no mean"),
     "guarantee": ("guarantee", "no guarantee", "guarantees"),
-    "compute_workspace": ("set", ),
+    "compute_workspace": ("set", "components", "connected", "apart"),
     "approximate_workspace": ("set", ),
     "find_singularities": ("singularities", ),
     "compare_machines": ("comparison", ),
@@ -91,7 +101,8 @@ SOURCES = {
 }
 INSIDE, OUTSIDE, UNDECIDED = 1, 2, 3
 VERDICTS = {"inside": INSIDE, "remark": INSIDE, "bad point": OUTSIDE, "singular point": OUTSIDE, "nothing": UNDECIDED,
-            "path inside": INSIDE, "path too fast": OUTSIDE, "good point": INSIDE, "no good point": OUTSIDE}
+            "path inside": INSIDE, "path too fast": OUTSIDE, "job inside": INSIDE, "job leaves": OUTSIDE,
+            "job too fast": OUTSIDE, "good point": INSIDE, "no good point": OUTSIDE}
 
 
 def definition_of(hypotheses):
@@ -104,6 +115,8 @@ def definition_of(hypotheses):
 
 def check(case):
     """Holds a sentence and what stands beside it against the oracle. @return the name of the claim"""
+    if case.source == "check_gcode":
+        case.text = re.sub(r"\bgcode:(\d+)", r"segment \1", case.text)
     is_free = not case.definition or case.definition == "global conditioning index of a region"
     case.criterion = None if is_free else criterion_of(case.definition)
     for name in SOURCES[case.source]:
@@ -113,10 +126,12 @@ def check(case):
             continue
         if holds:
             holds(case, match)
-        if name in VERDICTS:
+        if name in VERDICTS and case.source != "export_limits":  # which answers only what is inside
             hold(case.answer.verdict == VERDICTS[name], name, case.answer)
         if case.source == "check_path":
             answers.path(case)
+        if case.source == "check_gcode":
+            pieces.job(case)
         if case.source == "evaluate_point":
             answers.point(case)
         return name

@@ -54,6 +54,7 @@ class Node:
         self.topics["diagnostics"] = Heard("/diagnostics", DiagnosticArray)
         self.pose = rospy.Publisher(f"{NAME}/tool_pose", PoseStamped, queue_size=1)
         self.drag = rospy.Publisher(f"{NAME}/interactive_markers/feedback", InteractiveMarkerFeedback, queue_size=1)
+        self.pavings = []  # what each was about, and the corners of its box
         self.computations = 1  # its own region is the first
         self.region = rospy.wait_for_message(f"{NAME}/region", Region, PATIENCE)
         self.frame = self.region.header.frame_id

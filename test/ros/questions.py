@@ -49,8 +49,9 @@ class Questions:
     """For a test that holds the answers, with held(), answered(), computed(), shown() and texts()."""
 
     def ask(self, node):
-        for questions in (self.points, self.regions, self.paths, self.largest, self.goals, self.pavings,
-                          self.singularities, self.means, self.guarantees, self.placements, self.tools, self.criteria):
+        for questions in (self.points, self.regions, self.paths, self.jobs, self.limits, self.largest, self.goals,
+                          self.pavings, self.pieces, self.singularities, self.means, self.guarantees, self.placements,
+                          self.tools, self.criteria):
             questions(node)
 
     def points(self, node):
@@ -93,6 +94,22 @@ class Questions:
                 answer = node.client.check_line(way, criterion=FREE, tool_speed=speed, **fields)
                 self.answered(node, "check_path", answer, segments=segments, tool_speed=speed,
                               joint_acceleration_max=most)
+
+    def jobs(self, node):
+        """Lines in G-code, the last of which may lead away, or too fast."""
+        for width, speed in ((0.05, 0.4), (1.5, 0.4), (0.05, 5)):
+            ends = [[round(x, 9) for x in point] for point in (node.near(self.rng, 0.05), node.near(self.rng, width))]
+            words = [" ".join(f"{axis}{1000 * x:.6f}" for axis, x in zip("XYZ", end)) for end in ends]
+            answer = node.client.check_gcode(f"G90 G94 G21\nG1 F{60000 * speed} {words[0]}\n{words[1]}\n",
+                                             tool_at=node.center, criterion=FREE)
+            ways = zip((2, 3), [node.center, ends[0]], ends)
+            self.answered(node, "check_gcode", answer, segments=[(f"segment {k}", *way) for k, *way in ways],
+                          tool_speed=speed)
+
+    def limits(self, node):
+        sides, form = [0.1 * node.span] * 3, "linuxcnc"
+        answer = node.client.export_limits(form, node.center, solid("box", sides), criterion=FREE)
+        self.answered(node, "export_limits", answer, region=Region("box", sides, node.center))
 
     def found(self, node, **fields):
         region = node.client.largest_region(accuracy=0.02 * node.span, **fields)
@@ -149,7 +166,20 @@ class Questions:
         node.computations += 1
         self.computed(node, ends=ends)
         self.shown(node, "workspace_markers", lambda markers: True, answer.hypotheses)
-        node.ends = ends
+        node.pavings.append((criterion_of(definition_of(answer.hypotheses)), ends))
+
+    def pieces(self, node):
+        """How sets hang together."""
+        others = [node.near(self.rng, 0.1)] + [[0.65 * node.span] * 3] * (node.name == "orthoglide")
+        for ends in ([node.center, other] for other in others):
+            answer = node.client.workspace(resolution=0.05 * node.span, components=True, connect=ends, psi_min=0.2,
+                                           psi_max=5, joint_limits=False)
+            node.computations += 1
+            box = xyz(answer.min_corner) + xyz(answer.max_corner)
+            node.pavings.append((criterion_of(definition_of(answer.hypotheses)), box))
+            for text in (answer.components_message, answer.connection_message):
+                self.held(node, "compute_workspace", text, answer=answer, connect=ends,
+                          definition=definition_of(answer.hypotheses))
 
     def singular(self, node, machine=None, region=None, **fields):
         answer = node.client.call("find_singularities", FindSingularities, FindSingularitiesRequest(**fields))

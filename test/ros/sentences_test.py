@@ -18,7 +18,7 @@ os.environ["PKM"] = roslib.packages.find_node("pkm_workspace", "pkm")[0]
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 
 import node_claims
-from claims import Case
+from claims import Case, criterion_of
 from crooked import crooked
 from node_claims import definition_of
 from node_questions import Node
@@ -99,8 +99,10 @@ class SentencesTest(Questions, unittest.TestCase):
                 question = match[2][len("computing: "):]
             else:
                 is_answer = match[1] == "server" and not match[2].startswith("the bounds")
+                is_paving = is_answer and question and question.startswith("paving")
+                ends = [ends for about, ends in node.pavings if is_paving and criterion_of(question) == about]
                 self.held(node, "answer" if is_answer else "log", match[2], definition=is_answer and question,
-                          ends=node.ends)
+                          ends=ends[0] if ends else None)
 
     def hold_all(self, name, urdf, others=()):
         with Node(name, urdf, {"show_boundary": True}) as node:

@@ -6,6 +6,7 @@
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/paving/components.h"
 #include "pkm_workspace/paving/set_volume.h"
 
 namespace pkm_workspace
@@ -196,5 +197,50 @@ TEST(ComputeWorkspace, refusesWhatIsOutOfRange)
     EXPECT_EQ(Workspace(), response.workspace);
   }
 }
+namespace
+{
+geometry_msgs::Point pointAt(double x, double y, double z)
+{
+  geometry_msgs::Point point;
+  point.x = x;
+  point.y = y;
+  point.z = z;
+  return point;
+}
+}  // namespace
+
+TEST(ComputeWorkspace, saysHowTheSetHangsTogether)
+{
+  EXPECT_EQ("", approximate(atResolution(0.1)).workspace.components_message);
+  EXPECT_EQ(Workspace::NOT_ASKED, approximate(atResolution(0.1)).workspace.connection);
+  PavingRequest query = atResolution(0.05);
+  query.components = true;
+  const Workspace found = approximate(query).workspace;
+  const Paving paving = fresh(0.05);
+  const Components components(paving.tree);
+  ASSERT_EQ(components.list().size(), found.components.size());
+  EXPECT_EQ(components.clusters(), static_cast<std::size_t>(found.clusters));
+  EXPECT_EQ(*components.at(orthoglide().zero()), static_cast<std::size_t>(found.zero_component));
+  EXPECT_EQ(components.list()[0].volume.lower(), found.components[0].volume_lower_bound);
+  EXPECT_EQ(components.list()[0].boxes, found.components[0].boxes);
+  EXPECT_LE(found.components[0].min_corner.x, found.components[0].point.x);
+  EXPECT_EQ(0U, found.components_message.find("Proved: the boxes inside form ")) << found.components_message;
+}
+
+TEST(ComputeWorkspace, saysWhetherTwoPointsAreConnected)
+{
+  PavingRequest query = atResolution(0.05);
+  query.connect = { pointAt(-0.1, -0.1, -0.1), pointAt(0.3, 0.3, 0.3) };
+  const Workspace found = approximate(query).workspace;
+  ASSERT_EQ(Workspace::CONNECTED, found.connection) << found.connection_message;
+  EXPECT_EQ(query.connect.front(), found.connection_path.front());
+  EXPECT_EQ(query.connect.back(), found.connection_path.back());
+  EXPECT_EQ(-1, found.zero_component) << "components are not asked for";
+  query.connect.back() = pointAt(5, 0, 0);
+  EXPECT_EQ(Workspace::OUTSIDE, approximate(query).workspace.connection);
+  query.connect.pop_back();
+  EXPECT_NE(std::string::npos, approximate(query).message.find("connect has 1 points, it must have two, or none"));
+}
+
 }  // namespace test
 }  // namespace pkm_workspace

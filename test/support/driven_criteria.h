@@ -44,6 +44,9 @@ inline std::vector<std::pair<std::string, Criterion>> drivenCriteria(const Machi
   criteria.emplace_back("soft struts", none);
   criteria.back().second.stiffness_min = 2e5;
   criteria.back().second.strut_stiffness = { 3e6, 4e6, 5e6 };
+  criteria.emplace_back("tilts of each strut", none);
+  criteria.back().second.ball_tilt_max = 0.6;
+  criteria.back().second.strut_tilt_max = { 0.5, 0.0, 0.4 };
   criteria.emplace_back("struts off their rails", none);
   criteria.back().second.strut_angle_min = 0.1;
   criteria.emplace_back("everything", all);

@@ -93,7 +93,7 @@ public:
       return wanted * det(strut) / (length(0) * length(1) * length(2));
     }
     if (limit.kind == Kind::BALL_TILT_MAX)
-      return largestTilt(strut);
+      return limit.leg < 0 ? largestTilt(strut) : tiltOf(limit.leg, strut[static_cast<std::size_t>(limit.leg)]);
     if (limit.kind >= Kind::TOOL_SPEED_MIN)
       return DrivenTool(criterion_, strut, eta).valueOf(limit.kind);
     const auto [least, largest] = squaredFactors(strut, eta);
@@ -183,25 +183,38 @@ private:
            isKept(Kind::STIFFNESS_MIN, criterion_.stiffness_min, true) &&
            isKept(Kind::POSITION_ERROR_MAX, criterion_.position_error_max, false) &&
            isKept(Kind::STRUT_ANGLE_MIN, criterion_.strut_angle_min, true) &&
-           isKept(Kind::STRUT_ANGLE_MAX, criterion_.strut_angle_max, false) &&
-           (criterion_.ball_tilt_max == 0.0 || largestTilt(strut) <= criterion_.ball_tilt_max) && hingesAreGood(strut);
+           isKept(Kind::STRUT_ANGLE_MAX, criterion_.strut_angle_max, false) && tiltsAreGood(strut) &&
+           hingesAreGood(strut);
   }
 
-  /// The largest angle between a strut and the way it stands at zero.
   Number largestTilt(const std::array<Vector, 3>& strut) const
   {
-    Number largest = 0;
-    for (int i = 0; i < 3; ++i)
+    return std::max({ tiltOf(0, strut[0]), tiltOf(1, strut[1]), tiltOf(2, strut[2]) });
+  }
+
+  /// Each strut within the tilt of all, and within its own.
+  bool tiltsAreGood(const std::array<Vector, 3>& strut) const
+  {
+    for (int i = 0; criterion_.ball_tilt_max > 0.0 && i < 3; ++i)
     {
-      Vector zero;
-      Number eta;
-      solveLeg(i, { machine_.zero().x(), machine_.zero().y(), machine_.zero().z() }, zero, eta);
-      const Vector& now = strut[static_cast<std::size_t>(i)];
-      const Number cosine = dot(zero, now) / sqrt(dot(zero, zero) * dot(now, now));
-      const Number tilt = acos(cosine > 1 ? Number(1) : cosine);
-      largest = tilt > largest ? tilt : largest;
+      const Number tilt = tiltOf(i, strut[static_cast<std::size_t>(i)]);
+      const double own = criterion_.strut_tilt_max[static_cast<std::size_t>(i)];
+      if (tilt > criterion_.ball_tilt_max || (own > 0.0 && tilt > own))
+        return false;
     }
-    return largest;
+    return true;
+  }
+
+  /// The angle between a strut and its ball joints' axis, or the way it stands at zero.
+  Number tiltOf(int i, const Vector& now) const
+  {
+    Vector axis;
+    Number eta;
+    solveLeg(i, { machine_.zero().x(), machine_.zero().y(), machine_.zero().z() }, axis, eta);
+    for (const IntervalVector& given : slidingStrut(machine_.leg(i)).ball_axes)
+      axis = { given[0].mid(), given[1].mid(), given[2].mid() };
+    const Number cosine = dot(axis, now) / sqrt(dot(axis, axis) * dot(now, now));
+    return acos(cosine > 1 ? Number(1) : cosine);
   }
 
   bool hingesAreGood(const std::array<Vector, 3>& strut) const

@@ -17,6 +17,9 @@ bool hasEnding(const std::string& path, const std::string& ending);
 /// A phrase with a capital letter and a full stop.
 std::string sentence(std::string phrase);
 
+/// The lines of a text.
+std::vector<std::string> linesOf(const std::string& text);
+
 /// The words with the separator between them.
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 }  // namespace pkm_workspace

@@ -73,6 +73,7 @@ struct Criterion
   JointValues joint_stiffness{};   ///< of the drives [N/m], for stiffness_min
   JointValues strut_stiffness{};   ///< along the struts [N/m], for stiffness_min; 0 = rigid
   JointValues joint_error_max{};   ///< [m], for position_error_max
+  JointValues strut_tilt_max{};    ///< of each strut's ball joints [rad], where it is less than ball_tilt_max
 
   std::vector<Zone> zones;   ///< that the tool keeps within or out of
   double tool_radius = 0.0;  ///< by which all of them are moved, away from what the tool has to keep to [m]
@@ -91,6 +92,11 @@ struct Criterion
   {
     return definesSign() || tool_speed_min > 0.0 || strut_angle_min > 0.0 || strut_angle_max > 0.0 ||
            ball_tilt_max > 0.0 || hinge_limits;
+  }
+  /// What the ball joints of a leg's strut may tilt by [rad]; 0 = any.
+  double tiltOf(std::size_t leg) const
+  {
+    return strut_tilt_max[leg] > 0.0 && strut_tilt_max[leg] < ball_tilt_max ? strut_tilt_max[leg] : ball_tilt_max;
   }
   /// Whether det A has no zero in the set, so that one point of a connected region settles its sign.
   bool settlesAspect() const { return boundsBelow() || boundsCondition() || definesSign(); }

@@ -46,7 +46,7 @@ Interval inverse(const Interval& x);
 
 /// In the order of Limit::Kind, which files and messages have, too. A bound more is a number of Criterion, a kind of
 /// Limit and a row here; its fields of CriterionRequest.msg and Hypotheses.msg with their row in
-/// ros/criterion_message.cpp; its constant in BindingLimit.msg, its row in docs/node.md, and what the tests' oracle
+/// src/ros/criterion_fields.h; its constant in BindingLimit.msg, its row in docs/node.md, and what the tests' oracle
 /// knows of it. What it counts with besides, for each joint, is a row of joint_data.h.
 // clang-format off
 inline constexpr std::array<CriterionBound, 12> CRITERION_BOUNDS = { {

@@ -6,6 +6,7 @@
 
 #include "pkm_workspace/common/byte_order.h"
 #include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/ball_axes.h"
 #include "pkm_workspace/machine/frame.h"
 
 namespace pkm_workspace
@@ -19,6 +20,8 @@ struct Premises
   Criterion criterion;        ///< what is asked of every point: the set and its bounds, the aspect, joint limits
   Pose root;                  ///< where the root link's frame stands in the frame of the answer
   std::string version;        ///< of pkm_workspace, which makes no difference either
+  /// Where the tilt of ball joints is counted from, where that counts, in the frame of the answer: the hash knows it.
+  BallAxes ball_axes = {};
 
   /// All that makes a difference: what put() puts; then where the frame is another one than the root link's,
   /// quaternion (x, y, z, w) and translation [m].
@@ -35,6 +38,10 @@ Criterion within(const Machine& machine, Criterion criterion);
 
 /// Of what is asked in the frame of the machine's root link, proved by this version.
 Premises premisesOf(const Machine& machine, const Criterion& criterion);
+/// The same in another frame, in which the machine and the criterion are given.
+/// @param geometry_hash of the machine in the frame of its root link @param root where that stands
+Premises premisesIn(const Pose& root, const Machine& machine, const std::string& geometry_hash,
+                    const Criterion& criterion);
 
 /// Puts geometry hash and criterion: all premises of an answer in the frame of the root link.
 void put(const Premises& premises, ByteWriter& writer);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <pkm_workspace/ApproximateWorkspaceAction.h>
+#include <pkm_workspace/CheckGcode.h>
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/CheckRegion.h>
 #include <pkm_workspace/ComputeLargestRegion.h>
 #include <pkm_workspace/ComputeWorkspace.h>
 #include <pkm_workspace/ErrorCode.h>
 #include <pkm_workspace/EvaluatePoint.h>
+#include <pkm_workspace/ExportLimits.h>
 #include <pkm_workspace/FindLargestRegionAction.h>
 #include <pkm_workspace/GetRegion.h>
 #include <pkm_workspace/PlacePath.h>
@@ -23,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include "pkm_workspace/ros/client_criterion.h"
 #include "pkm_workspace/ros/client_fields.h"
 #include "pkm_workspace/ros/client_goal.h"
 
@@ -171,6 +174,29 @@ public:
     service.request.segments = segments;
     fill(service.request, fields...);
     return call("check_path", service);
+  }
+
+  /// Whether all of a job in G-code is good. @param gcode its text
+  template <class... Fields>
+  CheckGcode::Response checkGcode(const std::string& gcode, const Fields&... fields)
+  {
+    CheckGcode service;
+    service.request.gcode = gcode;
+    fill(service.request, fields...);
+    return call("check_gcode", service);
+  }
+
+  /// The limits of a region that is proved, in the words of a firmware.
+  template <class... Fields>
+  ExportLimits::Response exportLimits(const std::string& format, const Triple& center,
+                                      const shape_msgs::SolidPrimitive& solid, const Fields&... fields)
+  {
+    ExportLimits service;
+    service.request.format = format;
+    service.request.solid = solid;
+    service.request.center = messageOf(center);
+    fill(service.request, fields...);
+    return call("export_limits", service);
   }
 
   /// Where to put a path, with the largest margin.

@@ -153,6 +153,48 @@ inline auto joint_acceleration_max(const std::vector<double>& values)
 {
   return [values](auto& request) { request.joint_acceleration_max = values; };
 }
+/// Of a job in G-code: where the controller's zero is, and where the tool is before the job.
+inline auto origin(const Triple& point)
+{
+  return [point](auto& request) { request.origin = messageOf(point); };
+}
+inline auto tool_at(const Triple& point)
+{
+  return [point](auto& request) {
+    request.use_tool_at = true;
+    request.tool_at = messageOf(point);
+  };
+}
+/// Offsets of G54, G55, ... before the job.
+inline auto work_offsets(const std::vector<Triple>& offsets)
+{
+  return [offsets](auto& request) {
+    for (const Triple& offset : offsets)
+      request.work_offsets.push_back(messageOf(offset));
+  };
+}
+/// Speed of G0 [m/s].
+inline auto rapid_feed(double value)
+{
+  return [value](auto& request) { request.rapid_feed = value; };
+}
+inline auto most_listed(std::int64_t value)
+{
+  return [value](auto& request) { request.most_listed = value; };
+}
+inline auto top_by_slicer(bool value = true)
+{
+  return [value](auto& request) { request.top_by_slicer = value; };
+}
+/// Of a paving: how its set hangs together, and whether two points of it are connected.
+inline auto components(bool value = true)
+{
+  return [value](auto& request) { request.components = value; };
+}
+inline auto connect(const Triple& from, const Triple& to)
+{
+  return [from, to](auto& request) { request.connect = { messageOf(from), messageOf(to) }; };
+}
 inline auto joint_speeds_off()
 {
   return [](auto& request) { request.joint_speeds_off = true; };
@@ -183,112 +225,6 @@ inline auto box(const Triple& lower, const Triple& upper)
     request.min_corner = messageOf(lower);
     request.max_corner = messageOf(upper);
   };
-}
-
-// Its criterion's; those without an argument choose a constant of CriterionRequest.
-inline auto criterion(const CriterionRequest& value)
-{
-  return [value](auto& request) { request.criterion = value; };
-}
-inline auto psi_min(double value)
-{
-  return [value](auto& request) { request.criterion.psi_min = value; };
-}
-inline auto psi_max(double value)
-{
-  return [value](auto& request) { request.criterion.psi_max = value; };
-}
-inline auto psi_auto()
-{
-  return [](auto& request) { request.criterion.psi = CriterionRequest::AUTO; };
-}
-inline auto force_min(double value)
-{
-  return [value](auto& request) { request.criterion.force_min = value; };
-}
-inline auto force_max(double value)
-{
-  return [value](auto& request) { request.criterion.force_max = value; };
-}
-inline auto kappa_max(double value)
-{
-  return [value](auto& request) { request.criterion.kappa_max = value; };
-}
-inline auto tool_speed_min(double value)
-{
-  return [value](auto& request) { request.criterion.tool_speed_min = value; };
-}
-inline auto tool_force_min(double value)
-{
-  return [value](auto& request) { request.criterion.tool_force_min = value; };
-}
-inline auto stiffness_min(double value)
-{
-  return [value](auto& request) { request.criterion.stiffness_min = value; };
-}
-inline auto position_error_max(double value)
-{
-  return [value](auto& request) { request.criterion.position_error_max = value; };
-}
-inline auto strut_angle_min(double value)
-{
-  return [value](auto& request) { request.criterion.strut_angle_min = value; };
-}
-inline auto strut_angle_max(double value)
-{
-  return [value](auto& request) { request.criterion.strut_angle_max = value; };
-}
-inline auto ball_tilt_max(double value)
-{
-  return [value](auto& request) { request.criterion.ball_tilt_max = value; };
-}
-inline auto joint_speed_max(const std::vector<double>& values)
-{
-  return [values](auto& request) { request.criterion.joint_speed_max = values; };
-}
-inline auto joint_effort_max(const std::vector<double>& values)
-{
-  return [values](auto& request) { request.criterion.joint_effort_max = values; };
-}
-inline auto joint_stiffness(const std::vector<double>& values)
-{
-  return [values](auto& request) { request.criterion.joint_stiffness = values; };
-}
-inline auto strut_stiffness(const std::vector<double>& values)
-{
-  return [values](auto& request) { request.criterion.strut_stiffness = values; };
-}
-inline auto joint_error_max(const std::vector<double>& values)
-{
-  return [values](auto& request) { request.criterion.joint_error_max = values; };
-}
-inline auto set(std::uint8_t value)
-{
-  return [value](auto& request) { request.criterion.set = value; };
-}
-inline auto aspect(std::uint8_t value)
-{
-  return [value](auto& request) { request.criterion.aspect = value; };
-}
-inline auto joint_limits(bool on)
-{
-  return [on](auto& request) { request.criterion.joint_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
-}
-inline auto zones(const std::vector<ToolZone>& values)
-{
-  return [values](auto& request) { request.criterion.zones = values; };
-}
-inline auto own_zones(bool on)
-{
-  return [on](auto& request) { request.criterion.own_zones = on ? CriterionRequest::ON : CriterionRequest::OFF; };
-}
-inline auto tool_radius(double value)
-{
-  return [value](auto& request) { request.criterion.tool_radius = value; };
-}
-inline auto hinge_limits(bool on)
-{
-  return [on](auto& request) { request.criterion.hinge_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
 }
 }  // namespace with
 }  // namespace pkm_workspace

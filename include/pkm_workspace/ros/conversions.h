@@ -3,6 +3,7 @@
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Vector3.h>
 #include <pkm_workspace/JointRanges.h>
 #include <pkm_workspace/Region.h>
 #include <pkm_workspace/RegionRequest.h>
@@ -20,6 +21,7 @@ namespace pkm_workspace
 /// The only place where messages are made from values of the library, and values from messages.
 
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
+geometry_msgs::Vector3 asVector(const Eigen::Vector3d& v);
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& turn);
 geometry_msgs::Pose toMessage(const Pose& pose);
 Eigen::Vector3d fromMessage(const geometry_msgs::Point& point);

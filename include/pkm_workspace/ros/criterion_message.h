@@ -35,6 +35,11 @@ enum class JointUse
 Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
                       Problems& problems, JointUse use = JointUse::BOUNDS);
 
+/// The axes of ball joints that a request gives.
+BallAxes ballAxesOf(const CriterionRequest& request);
+/// @throws std::invalid_argument where a request gives any that cannot have them, with what is to be done
+void requireNoBallAxes(const CriterionRequest& request, const std::string& remedy);
+
 /// Takes what a criterion has from the URDF of one machine's joints out again, so that each of several machines counts
 /// with its own. @param given by the node's parameters; what they or the request give stays
 void leaveJointsToEach(const CriterionRequest& request, const Machine& machine, const Criterion& given,

@@ -4,6 +4,7 @@
 #include <pkm_workspace/BindingLimit.h>
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/EvaluatePoint.h>
+#include <pkm_workspace/ToolMotion.h>
 
 #include <functional>
 #include <string>
@@ -27,6 +28,8 @@ std::string frameOf(const CheckPath::Request& request);
 
 /// @param machine whose legs the limit counts
 BindingLimit toMessage(const Limit& limit, const Machine& machine);
+
+ToolMotion toMessage(const PathMotion& motion);
 
 /// Fills all that the evaluation tells.
 void fill(const PointEvaluation& evaluation, const PointEvaluator& evaluator, EvaluatePoint::Response& response);

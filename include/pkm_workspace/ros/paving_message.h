@@ -8,6 +8,7 @@
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/parameters.h"
+#include "pkm_workspace/tasks/connection.h"
 #include "pkm_workspace/tasks/paving.h"
 
 namespace pkm_workspace
@@ -22,6 +23,9 @@ struct PavingQuestion
   FramedMachine in;
   std::int64_t max_listed = 0;  ///< boxes in the message
   VolumeQuery volume;           ///< how closely its volume is wanted
+  bool components = false;      ///< whether they are asked for
+  /// Two points that it is asked of whether they are connected [m], or none.
+  std::vector<Eigen::Vector3d> connect = {};
 };
 
 /// @param criterion what fields without a value stand for @param parameters other defaults and ceilings
@@ -32,6 +36,9 @@ PavingQuestion fromMessage(const PavingRequest& request, const FramedMachine& in
 
 /// @param stamp of the message
 Workspace toMessage(const PavingQuestion& question, const PavingReport& report, const ros::Time& stamp);
+
+/// What is known of the two points.
+void fill(const ConnectionReport& found, Workspace& message);
 
 /// One line for people: what is asked for.
 std::string describe(const PavingQuery& query);

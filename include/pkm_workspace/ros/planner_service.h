@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pkm_workspace/CheckGcode.h>
 #include <pkm_workspace/CheckPath.h>
 #include <pkm_workspace/CheckRegion.h>
 #include <pkm_workspace/EvaluatePoint.h>
+#include <pkm_workspace/ExportLimits.h>
 
 #include <memory>
 #include <mutex>
@@ -15,8 +17,9 @@
 
 namespace pkm_workspace
 {
-/// Verdicts for planners: ~check_region, ~check_path, ~evaluate_point. They neither wait for computations, nor does
-/// what answers at once wait for them. Points have a thread of their own, regions and paths some: these may be long.
+/// Verdicts for planners: ~check_region, ~check_path, ~check_gcode, ~evaluate_point; and ~export_limits. They neither
+/// wait for computations, nor does what answers at once wait for them. Points have a thread of their own, regions and
+/// paths some: these may be long.
 class PlannerService
 {
 public:
@@ -28,6 +31,8 @@ public:
 private:
   void checkRegion(const CheckRegion::Request& request, CheckRegion::Response& response);
   void checkPath(const CheckPath::Request& request, CheckPath::Response& response);
+  void checkGcode(const CheckGcode::Request& request, CheckGcode::Response& response);
+  void exportLimits(const ExportLimits::Request& request, ExportLimits::Response& response);
   void evaluatePoint(const EvaluatePoint::Request& request, EvaluatePoint::Response& response);
 
   using EvaluatorPtr = std::shared_ptr<const PointEvaluator>;
@@ -36,6 +41,11 @@ private:
   template <class Response>
   EvaluatorPtr prepare(const std::string& frame, const CriterionRequest& criterion, Response& response,
                        JointUse use = JointUse::BOUNDS);
+  /// The same in a frame that is known, and without the header.
+  template <class Response>
+  EvaluatorPtr prepare(const FramedMachine& in, const CriterionRequest& criterion, Response& response, JointUse use);
+  /// How many boxes a check may look at, within the node's time limit.
+  Budget budgetOf(std::int64_t max_boxes, Problems& problems) const;
   /// Keeps the last one for the next request, which mostly is about the same.
   EvaluatorPtr evaluatorFor(const Machine& machine, const Premises& premises);
 
@@ -47,6 +57,8 @@ private:
   EvaluatorPtr evaluator_;
   ros::ServiceServer check_region_;
   ros::ServiceServer check_path_;
+  ros::ServiceServer check_gcode_;
+  ros::ServiceServer export_limits_;
   ros::ServiceServer evaluate_point_;
 };
 }  // namespace pkm_workspace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pkm_workspace/machine/ball_axes.h"
 #include "pkm_workspace/machine/machine.h"
 #include "pkm_workspace/machine/zone.h"
 
@@ -35,7 +36,7 @@ struct UrdfOptions
       tool = {};  ///< in its place, the tool's tip seen from there, along root axes (~tool) [m]
   /// Of the ball joints (~ball_axes): along each leg's strut from slider to platform where they are not tilted, in the
   /// root frame, of any length; one for all legs or one for each. Empty: as the struts are at joint values 0.
-  std::vector<Eigen::Vector3d> ball_axes = {};
+  BallAxes ball_axes = {};
 };
 
 /// How the value of one joint follows from another: value = factor * (value of source) + offset [m, rad].

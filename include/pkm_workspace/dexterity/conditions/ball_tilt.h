@@ -11,7 +11,7 @@
 namespace pkm_workspace
 {
 /// Each ball joint tilts by no more than the angle phi from its axis a: n . a >= |n| |a| cos phi, for each axis of
-/// Machine::ballAxes().
+/// Machine::ballAxes() and Criterion::tiltOf() its strut.
 template <class Real>
 class BallTilt
 {
@@ -22,8 +22,7 @@ public:
   template <class At>
   static void tellLimits(At& at)
   {
-    const double most = at.criterion().ball_tilt_max;
-    for (int leg = 0; most > 0.0 && at.hasValues() && leg < 3; ++leg)
+    for (int leg = 0; at.criterion().ball_tilt_max > 0.0 && at.hasValues() && leg < 3; ++leg)
     {
       const IntervalVector& row = at.configuration().strut[static_cast<std::size_t>(leg)];
       Interval largest(0.0);
@@ -32,7 +31,7 @@ public:
         const Interval tilt = acos(dot(row, axis) / (norm(row) * norm(axis)));
         largest = { std::max(largest.lower(), tilt.lower()), std::max(largest.upper(), tilt.upper()) };
       }
-      at.atMost(ConditionKind::BALL_TILT_MAX, leg, largest, most);
+      at.atMost(ConditionKind::BALL_TILT_MAX, leg, largest, at.criterion().tiltOf(static_cast<std::size_t>(leg)));
     }
   }
 
@@ -43,7 +42,7 @@ public:
       const Interval length = sqrtAboveZero(squaredRow(machine.enclosed(static_cast<int>(leg))));
       for (const IntervalVector& axis : machine.ballAxes(static_cast<int>(leg)))
         cones_.push_back(
-            { leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cos(criterion.ball_tilt_max))) });
+            { leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cos(criterion.tiltOf(leg)))) });
     }
   }
   template <class Other>
