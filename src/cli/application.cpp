@@ -43,6 +43,7 @@ const NamedCommand COMMANDS[] = {
   { "study", "the best machine of a family with one parameter", makeStudy },
   { "singularities", "that there are none, or where one is", makeSingularities },
   { "guarantee", "the speed, force, stiffness, error that the tool keeps everywhere in a region", makeGuarantee },
+  { "tolerate", "how exactly a machine has to be built for a region", makeTolerate },
   { "conditioning", "the global conditioning index of a region or of the whole set", makeConditioning },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
   { "import", "the URDF of a linear delta from the configuration of its controller", makeImport },

@@ -71,6 +71,7 @@ std::unique_ptr<Command> makeStudy();
 std::unique_ptr<Command> makeSingularities();
 std::unique_ptr<Command> makeConditioning();
 std::unique_ptr<Command> makeGuarantee();
+std::unique_ptr<Command> makeTolerate();
 std::unique_ptr<Command> makeUrdf();
 std::unique_ptr<Command> makeImport();
 std::unique_ptr<Command> makeExport();

@@ -76,6 +76,7 @@ void MachineOptions::declare(Options& options)
   options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
   options.vector("tool", names_.tool, "X Y Z", LENGTH, TOOL_HELP);
   options.legs("ball-axes", "X Y Z", BALL_AXES_HELP, [this](const Words& words) { assign(words, names_.ball_axes); });
+  declareTolerances(options, names_.tolerances);
   options.require({ "urdf" });
   options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" }, [this](Problems& problems) {
     try

@@ -89,6 +89,9 @@ void declareJointData(Options& options, Criterion& criterion, const std::functio
 /// Refuses what of that counts for nothing that the criterion asks for.
 void requireEffect(Options& options, const Criterion& criterion);
 
+/// --tolerance-length and so on, --tolerances.
+void declareTolerances(Options& options, Tolerances& tolerances);
+
 /// --keep-in, --keep-out, --zones, --tool-radius.
 void declareZones(Options& options, Criterion& criterion);
 

@@ -21,9 +21,13 @@ namespace
 {
 Json subjectOf(const Premises& premises)
 {
-  return { { "machine", premises.machine },
-           { "geometry_hash", premises.geometry_hash },
-           { "version", premises.version } };
+  Json json = { { "machine", premises.machine },
+                { "geometry_hash", premises.geometry_hash },
+                { "version", premises.version } };
+  for (const ToleranceKind& kind : TOLERANCE_KINDS)
+    if (const std::vector<double> numbers = numbersOf(kind, premises.tolerances); numbers != std::vector<double>{ 0.0 })
+      json["tolerances"][kind.name] = numbers;
+  return json;
 }
 }  // namespace
 

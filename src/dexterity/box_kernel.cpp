@@ -8,6 +8,7 @@ BoxKernel::~BoxKernel() = default;
 // In files of their own, compiled for processors that have these instructions.
 const BoxKernel* makeAvx2Kernel(const MachineModel<double>& model);
 const BoxKernel* makeAvx512Kernel(const MachineModel<double>& model);
+const BoxKernel* makeAvx2Kernel(const MachineModel<double>& all, const LegSpreads& spreads);
 
 std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& model)
 {
@@ -21,6 +22,18 @@ std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<doub
     kernels.emplace_back(makeAvx2Kernel(model));
 #endif
   kernels.push_back(std::make_unique<const PackKernel<Pack<2>>>(MachineModel<Pack<2>>(model)));
+  return kernels;
+}
+
+std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& all, const LegSpreads& spreads)
+{
+  std::vector<std::unique_ptr<const BoxKernel>> kernels;
+#ifdef PKM_WORKSPACE_AVX2
+  if (__builtin_cpu_supports("avx2"))
+    kernels.emplace_back(makeAvx2Kernel(all, spreads));
+#endif
+  using Model = ToleratedModel<Pack<2>>;
+  kernels.push_back(std::make_unique<const PackKernel<Pack<2>, Model>>(Model(all, spreads)));
   return kernels;
 }
 }  // namespace pkm_workspace

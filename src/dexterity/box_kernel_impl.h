@@ -8,6 +8,7 @@
 #include "cut_collector.h"
 #include "form_collector.h"
 #include "hull_look.h"
+#include "tolerated_model.h"
 
 namespace pkm_workspace
 {
@@ -24,14 +25,15 @@ struct WideRegisters
   }
 };
 
-template <class Real>
+/// @tparam Model of one machine, or of all within tolerances
+template <class Real, class Model = MachineModel<Real>>
 class PackKernel : public BoxKernel
 {
   static constexpr std::size_t W = Real::WIDTH;
 
 public:
-  explicit PackKernel(const MachineModel<Real>& model)
-    : model_(model), per_length_(powersPerLength(model.legs().squaredScale()))
+  explicit PackKernel(const Model& model)
+    : model_(model), per_length_(powersPerLength(Real(model.legs().squaredScale())))
   {}
 
   std::size_t width() const override { return W; }
@@ -48,7 +50,7 @@ public:
         question.slack = slackOf<Real>(within + first, count - first, box);
       question.is_limited = within != nullptr;
       question.wants_worst = worst != nullptr;
-      const BoxLook<Real> found = look(model_.legs().evaluate(box), box, question);
+      const BoxLook<Real> found = look(model_.evaluate(box), box, question);
       for (std::size_t lane = 0; lane < W && first + lane < count; ++lane)
       {
         const std::size_t k = first + lane;
@@ -111,18 +113,29 @@ public:
     }
   }
 
+  WorstMachine worst(const Eigen::Vector3d& point) const override
+  {
+    if constexpr (std::is_same<Model, MachineModel<Real>>::value)
+      return {};
+    else
+    {
+      const WideRegisters<Real> wide;
+      return model_.worst(gather<Real>(&point, 1));
+    }
+  }
+
 private:
   /// Looks at W boxes; the rest of the answer is in the question.
-  template <class Domain>
-  BoxLook<Real> look(const MachineForms<Real>& forms, const Domain& box, Question<Real>& question) const
+  template <class Forms, class Domain>
+  BoxLook<Real> look(const Forms& forms, const Domain& box, Question<Real>& question) const
   {
-    BoxLook<Real> look(model_.legs(), forms, question);
+    BoxLook<Real> look(model_, forms, question);
     if (!look.isSettled())
       model_.visit(forms, box, look);
     return look;
   }
 
-  MachineModel<Real> model_;
+  Model model_;
   std::array<Real, 4> per_length_;
 };
 }  // namespace pkm_workspace

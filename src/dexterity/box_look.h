@@ -24,11 +24,13 @@ class BoxLook
   using Mask = MaskOf<Real>;
 
 public:
-  BoxLook(const LegModels<Real>& legs, const MachineForms<Real>& forms, Question<Real>& question)
+  /// @param forms of the model
+  template <class Model, class Forms>
+  BoxLook(const Model& model, const Forms& forms, Question<Real>& question)
     : question_(question), inside_(everywhere()), outside_(!everywhere())
   {
     for (std::size_t i = 0; i < 3; ++i)
-      outside_ = outside_ | (forms.legs[i].squared_drive.upper() < legs.floor(i));
+      outside_ = outside_ | (model.squaredDrive(forms, i).upper() < model.floor(i));
   }
 
   BoxVerdict verdict(int lane) const
@@ -73,8 +75,25 @@ public:
 
   void matrix(const Subject& /*subject*/, const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, true); }
   void sufficient(const SymmetricForms<Real>& matrix) { lookAtMatrix(matrix, false); }
+  /// @param parts calls a function for forms and matrices that are enough together, until it says false
+  template <class Parts>
+  void sufficientOr(const SymmetricForms<Real>& matrix, const Parts& parts)
+  {
+    const Mask before = inside_;
+    sufficient(matrix);
+    Mask holds = before & !(inside_ | outside_);
+    if (!any(holds))
+      return;
+    parts(Conjunction{ *this, holds });
+    inside_ = inside_ | holds;
+  }
+  void necessary(const Subject& /*subject*/, const SymmetricForms<Real>& matrix)
+  {
+    if (any(!(outside_ | isDefiniteAtCenter(matrix))))
+      exclude(quadraticForm(matrix, leastEigenvector(matrix).vector));
+  }
   void necessary(const Subject& /*subject*/, const PlainVector<Real>& /*u*/, const PlainVector<Real>& /*v*/,
-                 const AffineForm<Real>& form)
+                 const AffineForm<Real>& form, int /*power*/)
   {
     exclude(form);
   }
@@ -93,6 +112,21 @@ public:
   }
 
 private:
+  /// Where forms are positive and matrices definite.
+  struct Conjunction
+  {
+    const BoxLook& look;
+    Mask& holds;
+
+    bool operator()(const AffineForm<Real>& form) const { return keep(look.isPositive(form)); }
+    bool operator()(const SymmetricForms<Real>& matrix) const { return keep(isPositiveDefinite(matrix)); }
+    bool keep(const Mask& mask) const
+    {
+      holds = holds & mask;
+      return any(holds);
+    }
+  };
+
   static Mask everywhere() { return Real(1.0) > Real(0.0); }
 
   /// No point is good where the form is negative all over the box.

@@ -17,13 +17,14 @@ class CutCollector
 public:
   CutCollector(BoxCuts* results, std::size_t count) : results_(results), count_(std::min(count, W)) {}
 
-  void collect(const MachineModel<Real>& model, const CenteredBox<Real>& box)
+  template <class Model>
+  void collect(const Model& model, const CenteredBox<Real>& box)
   {
-    const MachineForms<Real> forms = model.legs().evaluate(box);
+    const auto forms = model.evaluate(box);
     deviation_ = deviationsOf(box);
     outside_ = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
-      outside_ = outside_ | (forms.legs[i].squared_drive.upper() < model.legs().floor(i));
+      outside_ = outside_ | (model.squaredDrive(forms, i).upper() < model.floor(i));
     for (std::size_t lane = 0; lane < count_; ++lane)
       results_[lane].count = 0;
     if (!isSettled())
@@ -59,9 +60,19 @@ public:
 
   void matrix(const Subject& /*subject*/, const SymmetricForms<Real>& matrix) { addMatrix(matrix, true); }
   void sufficient(const SymmetricForms<Real>& matrix) { addMatrix(matrix, false); }
+  template <class Parts>
+  void sufficientOr(const SymmetricForms<Real>& matrix, const Parts& /*parts*/)
+  {
+    sufficient(matrix);
+  }
+  void necessary(const Subject& subject, const SymmetricForms<Real>& matrix)
+  {
+    const PlainVector<Real> v = leastEigenvector(matrix).vector;
+    necessary(subject, v, v, quadraticForm(matrix, v), 2);
+  }
 
   void necessary(const Subject& /*subject*/, const PlainVector<Real>& /*u*/, const PlainVector<Real>& /*v*/,
-                 const AffineForm<Real>& form)
+                 const AffineForm<Real>& form, int /*power*/)
   {
     exclude(form);
     append(!(form.lower() > Real(0.0)), form, Real(INF), outerOf(form));

@@ -34,12 +34,13 @@ public:
     : per_length_(per_length), results_(results), origins_(origins), count_(std::min(count, W))
   {}
 
-  void collect(const MachineModel<Real>& model, const CenteredBox<Real>& box)
+  template <class Model>
+  void collect(const Model& model, const CenteredBox<Real>& box)
   {
-    const MachineForms<Real> forms = model.legs().evaluate(box);
+    const auto forms = model.evaluate(box);
     std::array<Mask, 3> beyond;
     for (std::size_t i = 0; i < 3; ++i)
-      beyond[i] = forms.legs[i].squared_drive.upper() < model.legs().floor(i);
+      beyond[i] = model.squaredDrive(forms, i).upper() < model.floor(i);
     const Mask violated = beyond[0] | beyond[1] | beyond[2];
     for (std::size_t lane = 0; lane < count_; ++lane)
     {
@@ -49,11 +50,14 @@ public:
     }
     model.visit(forms, box, *this);
     if (origins_)
-      noteViolations(beyond, model.legs(), forms);
+      noteViolations(beyond, model, forms);
   }
 
   static constexpr bool isSettled() { return false; }
   static constexpr void sufficient(const SymmetricForms<Real>& /*matrix*/) {}
+  template <class Parts>
+  static constexpr void sufficientOr(const SymmetricForms<Real>& /*matrix*/, const Parts& /*parts*/)
+  {}
 
   void scalar(const Subject& subject, const AffineForm<Real>& form, int power)
   {
@@ -74,9 +78,9 @@ public:
   }
 
   void necessary(const Subject& subject, const PlainVector<Real>& u, const PlainVector<Real>& v,
-                 const AffineForm<Real>& form)
+                 const AffineForm<Real>& form, int power)
   {
-    append(form, everywhere(), { subject, u, v });
+    append(scaled(form, power), everywhere(), { subject, u, v });
   }
 
   /// The form helps only where its sign is wrong.
@@ -88,7 +92,9 @@ public:
       append(scaled(form(), power), useful, { subject, {}, {} });
   }
 
-  void matrix(const Subject& subject, SymmetricForms<Real> matrix)
+  void matrix(const Subject& subject, const SymmetricForms<Real>& matrix) { necessary(subject, matrix); }
+
+  void necessary(const Subject& subject, SymmetricForms<Real> matrix)
   {
     for (AffineForm<Real>& entry : matrix)
       entry = scaled(entry, 2);
@@ -162,12 +168,13 @@ private:
   }
 
   /// The first leg whose b^2 is below its floor stands for all forms.
-  void noteViolations(const std::array<Mask, 3>& beyond, const LegModels<Real>& legs, const MachineForms<Real>& forms)
+  template <class Model, class Forms>
+  void noteViolations(const std::array<Mask, 3>& beyond, const Model& model, const Forms& forms)
   {
     for (std::size_t leg = 3; leg-- > 0;)
     {
       const AffineForm<Real> above =
-          scaled(forms.legs[leg].squared_drive + Enclosed<Real>(-legs.floor(leg), Real(0)), 2);
+          scaled(model.squaredDrive(forms, leg) + Enclosed<Real>(-model.floor(leg), Real(0)), 2);
       for (std::size_t lane = 0; lane < count_; ++lane)
         if (beyond[leg][static_cast<int>(lane)])
         {

@@ -53,13 +53,14 @@ public:
     }
   }
 
-  void visit(const MachineModel<Real>& model)
+  template <class Model>
+  void visit(const Model& model)
   {
-    const MachineForms<Real> forms = model.legs().evaluate(box_);
+    const auto forms = model.evaluate(box_);
     inside_ = everywhere();
     outside_ = !everywhere();
     for (std::size_t i = 0; i < 3; ++i)
-      exclude(forms.legs[i].squared_drive + Enclosed<Real>(-model.legs().floor(i), Real(0.0)));
+      exclude(model.squaredDrive(forms, i) + Enclosed<Real>(-model.floor(i), Real(0.0)));
     if (!isSettled())
       model.visit(forms, box_, *this);
   }
@@ -95,12 +96,20 @@ public:
     inside_ = inside_ & holds;
   }
 
-  void matrix(const Subject& /*subject*/, const SymmetricForms<Real>& matrix)
+  void matrix(const Subject& subject, const SymmetricForms<Real>& matrix)
   {
-    if (any(inside_))
-      inside_ = inside_ & isPositiveDefinite(widened(matrix), delta_);
+    sufficient(matrix);
     if (any(!(inside_ | outside_)))
-      exclude(quadraticForm(matrix, leastEigenvector(matrix, middle_).vector));
+      necessary(subject, matrix);
+  }
+  template <class Parts>
+  void sufficientOr(const SymmetricForms<Real>& matrix, const Parts& /*parts*/)
+  {
+    sufficient(matrix);
+  }
+  void necessary(const Subject& /*subject*/, const SymmetricForms<Real>& matrix)
+  {
+    exclude(quadraticForm(matrix, leastEigenvector(matrix, middle_).vector));
   }
 
   void sufficient(const SymmetricForms<Real>& matrix)
@@ -110,7 +119,7 @@ public:
   }
 
   void necessary(const Subject& /*subject*/, const PlainVector<Real>& /*u*/, const PlainVector<Real>& /*v*/,
-                 const AffineForm<Real>& form)
+                 const AffineForm<Real>& form, int /*power*/)
   {
     exclude(form);
   }

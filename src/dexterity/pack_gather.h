@@ -113,10 +113,12 @@ inline SkewBox<Real> gather(const SkewBox<double>* boxes, std::size_t count)
 template <class Real>
 inline AffineForm<Real> select(MaskOf<Real> mask, const AffineForm<Real>& a, const AffineForm<Real>& b)
 {
-  return { select(mask, a.center, b.center),
-           { select(mask, a.gradient[0], b.gradient[0]), select(mask, a.gradient[1], b.gradient[1]),
-             select(mask, a.gradient[2], b.gradient[2]) },
-           select(mask, a.radius, b.radius) };
+  AffineForm<Real> result;
+  result.center = select(mask, a.center, b.center);
+  for (std::size_t j = 0; j < result.gradient.size(); ++j)
+    result.gradient[j] = select(mask, a.gradient[j], b.gradient[j]);
+  result.radius = select(mask, a.radius, b.radius);
+  return result;
 }
 
 /// Encloses offset - normal . p.

@@ -24,7 +24,8 @@ inline AffineVector<Real> asVector(const SkewBox<Real>& box)
 {
   AffineVector<Real> vector;
   vector.center = box.center;
-  vector.linear = box.edges;
+  for (std::size_t k = 0; k < 3; ++k)
+    vector.linear[k] = coordinate(box, k).gradient;
   vector.radius = box.slack;
   return vector;
 }

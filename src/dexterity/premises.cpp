@@ -77,8 +77,13 @@ Premises premisesOf(const Machine& machine, const Criterion& criterion)
 Premises premisesIn(const Pose& root, const Machine& machine, const std::string& geometry_hash,
                     const Criterion& criterion)
 {
-  return { machine.name(), geometry_hash, within(machine, criterion),
-           root,           version(),     criterion.ball_tilt_max > 0.0 ? givenBallAxes(machine) : BallAxes() };
+  return { machine.name(),
+           geometry_hash,
+           within(machine, criterion),
+           root,
+           version(),
+           criterion.ball_tilt_max > 0.0 ? givenBallAxes(machine) : BallAxes(),
+           tolerancesOf(machine) };
 }
 
 void put(const Premises& premises, ByteWriter& writer)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/common/text.h"
+#include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
 {
@@ -62,6 +63,17 @@ void YamlReader::readMap(const YAML::Node& map, const std::string& what, const M
     else
       entry->read(pair.second);
   }
+}
+
+std::vector<double> YamlReader::numbersIn(const YAML::Node& node, const std::string& key)
+{
+  std::vector<double> numbers;
+  for (const std::string& text : scalarsOf(node))
+    if (const auto number = parseNumber(text == ".inf" ? "inf" : text))  // as YAML writes it
+      numbers.push_back(*number);
+    else
+      refuse(node, key + " = '" + shortened(text, 60) + "' is no number");
+  return numbers;
 }
 
 std::vector<std::string> scalarsOf(const YAML::Node& node)

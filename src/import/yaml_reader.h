@@ -33,6 +33,8 @@ public:
   std::string placeOf(const YAML::Node& node) const;
   void refuse(const YAML::Node& node, const std::string& what) { problems_.push_back(placeOf(node) + ": " + what); }
   std::string textOf(const YAML::Node& node, const std::string& key);
+  /// One number, or those of a list.
+  std::vector<double> numbersIn(const YAML::Node& node, const std::string& key);
   /// Keys that are unknown, or stand a second time, are refused. @param what the map is
   void readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries);
 

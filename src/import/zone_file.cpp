@@ -33,17 +33,6 @@ public:
   }
 
 private:
-  std::vector<double> numbersIn(const YAML::Node& node, const std::string& key)
-  {
-    std::vector<double> numbers;
-    for (const std::string& text : scalarsOf(node))
-      if (const auto number = parseNumber(text == ".inf" ? "inf" : text))  // as YAML writes it
-        numbers.push_back(*number);
-      else
-        refuse(node, key + " = '" + shortened(text, 60) + "' is no number");
-    return numbers;
-  }
-
   void readToolRadius(const YAML::Node& node)
   {
     const std::vector<double> numbers = numbersIn(node, "tool_radius");

@@ -78,6 +78,11 @@ bool Machine::hasParallelRails() const
   return parallelSense(legs_[0], legs_[1]) != 0 && parallelSense(legs_[0], legs_[2]) != 0;
 }
 
+bool Machine::hasTolerances() const
+{
+  return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return !slidingStrut(leg).tolerance.isZero(); });
+}
+
 bool Machine::hasJointLimits() const
 {
   return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.limits != Interval::entire(); });

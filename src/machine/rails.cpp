@@ -49,6 +49,8 @@ int parallelSense(const Leg& a, const Leg& b)
   const auto* const second = std::get_if<SlidingStrut>(&b.kind);
   if (first == nullptr || second == nullptr)
     return 0;
+  if (first->tolerance.direction > 0.0 || second->tolerance.direction > 0.0)
+    return 0;
   const bool exact = isSingle(first->axis) && isSingle(second->axis);
   return exact ? senseOfNumbers(first->axis, second->axis) : senseOfDirections(*first, *second);
 }

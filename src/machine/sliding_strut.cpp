@@ -47,17 +47,49 @@ IntervalVector directionBetween(const IntervalVector& first, const IntervalVecto
     throw std::invalid_argument("the rails of the two machines point in opposite directions");
   return { sum[0] / length, sum[1] / length, sum[2] / length };
 }
+Interval eitherWay(const Interval& x)
+{
+  return { -x.upper(), x.upper() };
+}
+
+/// c = a - b of all struts within the tolerances. A joint value that is wrong by z is that of a slider z back on its
+/// rail.
+IntervalVector centersOf(const SlidingStrut& strut, const IntervalVector& axis)
+{
+  const StrutTolerance& by = strut.tolerance;
+  IntervalVector center = strut.origin - strut.platform;
+  if (by.isZero())
+    return center;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    Interval sum = eitherWay(Interval(by.slider_ball) + Interval(by.platform_ball));
+    for (std::size_t j = 0; j < 3; ++j)
+      sum += by.axes[k][j] * eitherWay(Interval(by.slider[j]) + Interval(by.platform[j]));
+    center[k] += sum + eitherWay(by.zero) * axis[k];
+  }
+  return center;
+}
+
+/// The directions within the tolerance: two unit vectors at an angle t are 2 sin (t / 2) <= t apart.
+IntervalVector directionsOf(const SlidingStrut& strut)
+{
+  IntervalVector axis = strut.axis;
+  if (strut.tolerance.direction > 0.0)
+    for (Interval& component : axis)
+      component = intersection(component + eitherWay(strut.tolerance.direction), Interval(-1.0, 1.0));
+  return axis;
+}
 }  // namespace
 
 EnclosedStrut enclosed(const SlidingStrut& strut)
 {
   EnclosedStrut constants;
-  constants.projector = projectorAcross(strut.axis);
-  constants.along = constants.axis = strut.axis;
-  constants.center = strut.origin - strut.platform;
-  constants.squared_length = sqr(strut.length);
+  constants.along = constants.axis = directionsOf(strut);
+  constants.projector = projectorAcross(constants.axis);
+  constants.center = centersOf(strut, constants.axis);
+  constants.length = strut.tolerance.length > 0.0 ? strut.length + eitherWay(strut.tolerance.length) : strut.length;
+  constants.squared_length = sqr(constants.length);
   constants.sign = Interval(strut.working_mode);
-  constants.length = strut.length;
   return constants;
 }
 
@@ -97,7 +129,8 @@ std::string textOfBallAxes(const SlidingStrut& strut)
 std::string exactText(const SlidingStrut& strut)
 {
   return " mode " + std::to_string(strut.working_mode) + exactText(strut.origin) + exactText(strut.axis) +
-         exactText(strut.platform) + exactText(strut.length) + textOfStops(strut) + textOfBallAxes(strut);
+         exactText(strut.platform) + exactText(strut.length) + textOfStops(strut) + textOfBallAxes(strut) +
+         exactText(strut.tolerance);
 }
 
 SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, const IntervalVector& translation)
@@ -110,6 +143,7 @@ SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, co
     stop.direction = rotation * stop.direction;
   for (IntervalVector& axis : result.ball_axes)
     axis = rotation * axis;
+  result.tolerance.axes = rotation * strut.tolerance.axes;
   return result;
 }
 

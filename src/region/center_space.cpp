@@ -155,7 +155,8 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
     space.centers = *query.search_box;
   else if (isFreeAlongRails(machine, query))
     space.centers = centersAcrossRails(machine, query);
-  else if (onlyJointsChangeAlongRails(machine, query.criterion) && (!query.turns() || runAlongAxis(machine, 2)))
+  else if (!machine.hasTolerances() && onlyJointsChangeAlongRails(machine, query.criterion) &&
+           (!query.turns() || runAlongAxis(machine, 2)))
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();
   else if (query.search_box)
     space.centers = intersection(bounds, *query.search_box);

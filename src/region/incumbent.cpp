@@ -19,6 +19,8 @@ constexpr std::int64_t ROUND_VERIFICATION_BOXES = 100000;
 /// Where a proof was given up after that many, the next ones that get them are smaller by this share of the accuracy.
 constexpr double LESS = 0.1;
 constexpr std::int64_t VERIFICATIONS = 16;
+/// The least gain that a region is proved for, as a share of the accuracy.
+constexpr double WORTHWHILE = 0.05;
 }  // namespace
 
 Incumbent::Incumbent(const Machine& machine, const BoxTest& test, const RegionQuery& query, const RunningBudget& budget,
@@ -41,7 +43,8 @@ std::int64_t Incumbent::allowedBoxes(double size) const
 
 bool Incumbent::asksFor(double size) const
 {
-  return size > candidate_.size && boxes_ < most_ && !budget_.isOver();
+  const double gain = machine_.hasTolerances() && found_ ? WORTHWHILE * query_.accuracy : 0.0;
+  return size > candidate_.size + gain && boxes_ < most_ && !budget_.isOver();
 }
 
 /// As seen from the region. @return with a bad point as seen from its center
@@ -71,6 +74,18 @@ ContainmentResult Incumbent::check(const Candidate& region, const Budget& budget
                         : checkContainment(test_, *query_.shape, region.center, region.size, budget);
 }
 
+/// Bounds over all machines within tolerances have a gap between what is proved good and what is proved bad: half-way
+/// to the best so far is most often beyond it.
+void Incumbent::certifyLess(const Candidate& region)
+{
+  const double size = candidate_.size + 0.5 * (region.size - candidate_.size);
+  if (region.size - size < WORTHWHILE * query_.accuracy)
+    return;
+  Candidate less = region;
+  less.size = size;
+  certify(less);
+}
+
 ContainmentResult Incumbent::certify(const Candidate& region)
 {
   if (!asksFor(region.size))
@@ -86,6 +101,8 @@ ContainmentResult Incumbent::certify(const Candidate& region)
   }
   else if (proof.boxes >= ROUND_VERIFICATION_BOXES)
     given_up_ = region.size;
+  if (proof.verdict == Containment::UNDECIDED && machine_.hasTolerances())
+    certifyLess(region);
   return proof;
 }
 }  // namespace pkm_workspace

@@ -5,6 +5,7 @@
 #include "pkm_workspace/dexterity/criterion_text.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/machine/ball_axes.h"
+#include "pkm_workspace/report/tolerances_sentence.h"
 
 namespace pkm_workspace
 {
@@ -38,7 +39,9 @@ std::string definition(const Machine& machine, const Criterion& criterion)
     text += ", with all passive joints within their limits";
   text += zonesInWords(criterion.zones, criterion.tool_radius);
   if (!machine.hasJointLimits())
-    return text + "; the machine has no joint limits.";
-  return text + (criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.");
+    text += "; the machine has no joint limits.";
+  else
+    text += criterion.joint_limits ? ", and within the joint limits." : "; joint limits are not asked for.";
+  return text + tolerancesSentence(machine);
 }
 }  // namespace pkm_workspace

@@ -27,6 +27,14 @@ Hypotheses toMessage(const Premises& premises, double accuracy)
       std::copy_n((criterion.*JOINT_FIELDS[k].values).begin(), 3, (message.*JOINT_FIELDS[k].hypotheses).begin());
   for (const Eigen::Vector3d& axis : premises.ball_axes)
     message.ball_axes.push_back(asVector(axis));
+  for (const ToleranceKind& kind : TOLERANCE_KINDS)
+    if (const std::vector<double> values = numbersOf(kind, premises.tolerances); values != std::vector<double>{ 0.0 })
+    {
+      message.tolerances.emplace_back();
+      message.tolerances.back().kind = kind.name;
+      message.tolerances.back().values = values;
+      message.tolerances.back().unit = kind.unit;
+    }
   message.joint_limits = criterion.joint_limits;
   message.hinge_limits = criterion.hinge_limits;
   for (const Zone& zone : criterion.zones)

@@ -79,6 +79,23 @@ Entry zonesOf(Criterion& criterion, Zone::Use use)
   return { "a list of zones", set };
 }
 
+void addTolerances(Tolerances& tolerances, Table& table)
+{
+  for (const ToleranceKind& kind : TOLERANCE_KINDS)
+  {
+    const auto set = [&tolerances, &kind](const XmlRpcValue& value) {
+      std::vector<double> numbers(1);
+      if (!read(value, numbers[0]) && !read(value, numbers))
+        return false;
+      setTolerance(kind, numbers, tolerances);
+      return true;
+    };
+    table[kind.name] = { std::string("a number >= 0, or a list of three") + (kind.is_per_axis ? " or nine" : "") +
+                             " [" + kind.unit + "]",
+                         set };
+  }
+}
+
 void addCriterion(Criterion& criterion, Table& table)
 {
   for (const Zone::Use use : { Zone::Use::KEEP_IN, Zone::Use::KEEP_OUT })
@@ -141,6 +158,7 @@ Table tableOf(Parameters& parameters)
   };
   addPictures(parameters, table);
   addCriterion(query.criterion, table);
+  addTolerances(parameters.urdf.tolerances, table);
   return table;
 }
 

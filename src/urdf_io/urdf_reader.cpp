@@ -141,7 +141,10 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
   throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
+  {
     legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool);
+    slidingStrut(legs[i]).tolerance = options.tolerances[i];
+  }
   setBallAxes(options.ball_axes, legs);
   const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);
   if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())

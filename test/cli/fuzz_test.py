@@ -78,7 +78,7 @@ class Fuzz(CommandTest):
             for _ in range(CASES):
                 answered += self.assertAtNoLoss(command, *self.words(chance, options))
         print(f"{answered} answered")
-        self.assertGreater(answered, CASES)
+        self.assertGreater(answered, CASES // 2)
 
     def test_any_dimensions(self):
         for number in NUMBERS:

@@ -11,7 +11,9 @@ from xml.etree import ElementTree
 
 from pkm import DATA, MACHINES, URDF, CommandTest
 
-MACHINE = {"urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes"}
+TOLERANCES = {"tolerance-" + name for name in ("length", "slider", "slider-ball", "platform", "platform-ball",
+                                               "direction", "zero")} | {"tolerances"}
+MACHINE = {"urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes"} | TOLERANCES
 REQUEST = (URDF.parent / "msg" / "CriterionRequest.msg").read_text()
 BOUNDS = {name.replace("_", "-") for name in re.findall(r"(?m)^float64(?:\[\])? (\w+)$", REQUEST)}
 JOINT_DATA = {name.replace("_", "-") for name in re.findall(r"(?m)^float64\[\] (\w+)$", REQUEST)}
@@ -35,9 +37,9 @@ OPTIONS = {
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
                                                      "save", "resume", "list-boxes", "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
-    "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
+    "compare": (MACHINE - TOLERANCES) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
-    "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
+    "study": (MACHINE - TOLERANCES) | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | {"machine", "parameter", "range", "parts", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
@@ -45,6 +47,7 @@ OPTIONS = {
     | BODY | {"center", "accuracy"},
     "guarantee": MACHINE | BUDGET | COMMON | BODY | (JOINT_DATA - {"strut-tilt-max"})
     | {"center", "aspect", "accuracy", "quantity"},
+    "tolerate": MACHINE | CRITERION | BUDGET | COMMON | BODY | {"center", "accuracy"},
     "export": MACHINE | CRITERION | COMMON | BODY | {"time-limit", "center", "format", "top-by-slicer", "output"},
     "import": COMMON | {"file", "format", "name", "output"},
     "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",

@@ -20,7 +20,7 @@ URANESX_STUDY = "study --machine uranesx --parameter R-r "
 REFUSALS = [
     ("", "a command is missing"),
     ("grow", "'grow' is not a command; allowed: evaluate, largest, check, path, place, pave, connect, compare, study, "
-             "singularities, guarantee, conditioning, urdf"),
+             "singularities, guarantee, tolerate, conditioning, urdf"),
     ("-h", "'-h' is not a command"),
     (f"connect --urdf {ORTHOGLIDE}", "--to X Y Z: the option is missing"),
     (f"connect --urdf {ORTHOGLIDE} --to 9 0 0 --box 0 1 0 1 0 1",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/interval/affine_vector.h"
+#include "pkm_workspace/interval/determinant.h"
 
 #include <gtest/gtest.h>
 

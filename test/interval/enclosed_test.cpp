@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pkm_workspace/interval/affine_vector.h"
+#include "pkm_workspace/interval/determinant.h"
 #include "support/form_laws.h"
 
 namespace pkm_workspace

@@ -14,7 +14,7 @@ import sys
 
 def main():
     nm, source, width, candidates = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:]
-    own = re.compile(rf"\b(Pack|LaneMask)<{width}>")
+    own = re.compile(rf"\b(Pack|LaneMask)<{width}(, \d+u?l?)?>")
     objects = [path for path in candidates if pathlib.Path(path).name.startswith(source + ".o")]
     if len(objects) != 1:
         sys.exit(f"{source}: one object file expected, found {objects}")

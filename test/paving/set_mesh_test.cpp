@@ -148,7 +148,7 @@ TEST(SetMesh, withinABox)
   EXPECT_LT(meshes.inner.volume().upper(), volume);
   EXPECT_GT(meshes.inner.volume().lower(), 0.97 * volume);
   EXPECT_GT(meshes.outer.volume().lower(), volume);
-  EXPECT_LT(meshes.outer.volume().upper(), 1.03 * volume);
+  EXPECT_LT(meshes.outer.volume().upper(), 1.08 * volume);  // about a seventh of a cube around it
   EXPECT_LT(meshes.distance, 0.03);
 }
 

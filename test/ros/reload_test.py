@@ -45,6 +45,27 @@ class ReloadTest(unittest.TestCase):
             self.assertEqual("orthoglide_prototype",
                              machine_of("evaluate_point", EvaluatePoint, EvaluatePointRequest()))
 
+    def test_takes_tolerances(self):
+        with NodeProcess(urdf("orthoglide"), {"accuracy": 1e-4}):
+            exact = self.region()
+            self.assertEqual([], exact.hypotheses.tolerances)
+            rospy.set_param(f"{NAME}/tolerance_slider", 1e-4)
+            rospy.set_param(f"{NAME}/tolerance_length", [1e-4] * 3)
+            answer = self.reload()
+            self.assertEqual(ErrorCode.SUCCESS, answer.error_code, answer.message)
+            robust = self.region()
+            self.assertLessEqual(robust.size, 0.6436538)
+            self.assertGreaterEqual(robust.size_upper_bound, 0.6436518)
+            self.assertLess(robust.size_upper_bound, exact.size)
+            self.assertEqual([("tolerance_length", (1e-4, ), "m"), ("tolerance_slider", (1e-4, ), "m")],
+                             [(it.kind, tuple(it.values), it.unit) for it in robust.hypotheses.tolerances])
+            rospy.set_param(f"{NAME}/tolerance_length", -1e-4)
+            answer = self.reload()
+            self.assertEqual(ErrorCode.INVALID_REQUEST, answer.error_code)
+            self.assertIn("tolerance_length", answer.message)
+            for name in ("tolerance_slider", "tolerance_length"):
+                rospy.delete_param(f"{NAME}/{name}")
+
     def test_refuses_what_would_not_start_and_changes_nothing(self):
         with NodeProcess(urdf("orthoglide")):
             old = self.region()

@@ -61,6 +61,17 @@ struct BoxCuts
   std::array<CubeCut, MOST> cut;  ///< delta from -1 to 1 along each side; but for a set without volume
 };
 
+/// Which of all machines within tolerances is the worst at a point, in floating point.
+struct WorstMachine
+{
+  static constexpr std::size_t COUNT = 3 * STRUT_PARAMETERS;
+
+  Subject subject = { ConditionKind::REACH };  ///< what is closest to failing, or fails most
+  double margin = NO_MARGIN;                   ///< of that machine, without unit
+  std::array<double, COUNT> parameter{};       ///< its parameters, leg by leg (ParameterSet)
+  std::array<double, COUNT> loss{};            ///< what each of them takes off the margin, >= 0
+};
+
 /// The arithmetic of the verdicts, for several boxes at a time: as many as the processor works on side by side. What it
 /// computes for one box does not depend on the others, nor on how many there are at a time.
 class BoxKernel
@@ -94,6 +105,8 @@ public:
   virtual void classify(const SmallHull* hulls, std::size_t count, BoxVerdict* verdicts) const = 0;
   /// What is known within each box.
   virtual void cuts(const Box* boxes, std::size_t count, BoxCuts* results) const = 0;
+  /// The worst machine at a point [m]; of a kernel for one machine, that one.
+  virtual WorstMachine worst(const Eigen::Vector3d& /*point*/) const { return {}; }
   /// MachineModel::margin at each of the points [m].
   virtual void margins(const Eigen::Vector3d* points, std::size_t count, double* results) const = 0;
 };
@@ -104,4 +117,8 @@ std::unique_ptr<const BoxKernel> preciseKernel(const Machine& machine, const Cri
 
 /// The kernels that this processor can run, the fastest first.
 std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& model);
+/// The same for all machines within tolerances: INSIDE holds for each of them, and of every point that is OUTSIDE one
+/// of them fails.
+/// @param all the model of the enclosure of them all
+std::vector<std::unique_ptr<const BoxKernel>> boxKernels(const MachineModel<double>& all, const LegSpreads& spreads);
 }  // namespace pkm_workspace

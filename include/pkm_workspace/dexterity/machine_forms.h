@@ -34,6 +34,9 @@ using MachineForms = MachineState<AffineForm<Real>, AffineVector<Real>>;
 template <class Real>
 using MachineNumbers = MachineState<Real, PlainVector<Real>>;
 
+/// What forms need of the legs of a machine with tolerances.
+using LegSpreads = std::array<StrutSpread, 3>;
+
 /// The legs of a machine, prepared for evaluation. Real is double, a pack of doubles or a multi-precision type.
 /// Thread-safe: constant after construction.
 template <class Real>
@@ -66,6 +69,19 @@ public:
     }
   }
 
+  /// The same in a type of number whose forms depend on the legs' parameters.
+  /// @param spreads LegSpreads
+  template <class Spreads>
+  LegModels(const LegModels<double>& all, const Spreads& spreads) : squared_scale_(all.squared_scale_)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      forms_[i] = tolerated<Real>(spreads[i], i);
+      numbers_[i] = plain<Real>(forms_[i]);
+      floors_[i] = Real(all.floors_[i]);
+    }
+  }
+
   /// Forms over the box, a CenteredBox or a SkewBox.
   template <class Domain>
   [[gnu::flatten]] MachineForms<Real> evaluate(const Domain& box) const
@@ -94,7 +110,7 @@ public:
   }
 
   /// n_i^2 [m^2]: enclosed, and in floating point.
-  const Enclosed<Real>& squaredRow(std::size_t leg) const { return pkm_workspace::squaredRow(forms_[leg]); }
+  const auto& squaredRow(std::size_t leg) const { return pkm_workspace::squaredRow(forms_[leg]); }
   const Real& squaredRowNear(std::size_t leg) const { return pkm_workspace::squaredRow(numbers_[leg]); }
 
   /// Where b_i^2 is below this [m^2] the criterion does not hold: n_i^2 / psi_max^2, rounded down, or 0.

@@ -71,6 +71,13 @@ public:
     , axis_of_rails_(model.axis_of_rails_)
   {}
 
+  /// The same in a type of number whose forms depend on the parameters of a machine's legs.
+  /// @param spreads LegSpreads
+  template <class Spreads>
+  MachineModel(const MachineModel<double>& all, const Spreads& spreads)
+    : criterion_(all.criterion_), legs_(all.legs_, spreads), conditions_(all.conditions_)
+  {}
+
   const Criterion& criterion() const { return criterion_; }
   const LegModels<Real>& legs() const { return legs_; }
   template <template <class> class Condition>
@@ -80,6 +87,25 @@ public:
   }
   /// The axis along which all rails are known to run, or -1: nothing but joint values changes along it.
   int axisOfRails() const { return axis_of_rails_; }
+
+  /// Forms over the box, a CenteredBox or a SkewBox.
+  template <class Domain>
+  MachineForms<Real> evaluate(const Domain& box) const
+  {
+    return legs_.evaluate(box);
+  }
+  /// b_i^2 [m^2] over the box, which no point of the set has below the floor.
+  const AffineForm<Real>& squaredDrive(const MachineForms<Real>& forms, std::size_t leg) const
+  {
+    return forms.legs[leg].squared_drive;
+  }
+  /// The box in the type of number that forms are made of.
+  template <class Domain>
+  static const Domain& lifted(const Domain& box)
+  {
+    return box;
+  }
+  const Real& floor(std::size_t leg) const { return legs_.floor(leg); }
 
   /// Tells the visitor the forms of all conditions over the box, until it is settled.
   template <class Domain, class Visitor>

@@ -8,6 +8,7 @@
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/machine/ball_axes.h"
 #include "pkm_workspace/machine/frame.h"
+#include "pkm_workspace/machine/tolerances.h"
 
 namespace pkm_workspace
 {
@@ -22,6 +23,7 @@ struct Premises
   std::string version;        ///< of pkm_workspace, which makes no difference either
   /// Where the tilt of ball joints is counted from, where that counts, in the frame of the answer: the hash knows it.
   BallAxes ball_axes = {};
+  Tolerances tolerances = {};  ///< of the machine, which its hash covers; none in premises that are taken from bytes
 
   /// All that makes a difference: what put() puts; then where the frame is another one than the root link's,
   /// quaternion (x, y, z, w) and translation [m].

@@ -65,5 +65,7 @@ private:
   std::shared_ptr<const BoxKernel> kernel_;
   std::shared_ptr<const BoxKernel> precise_kernel_;
   double scale_;  ///< the longest strut [m]
+  double least_width_;
+  bool is_tolerated_;  ///< whether the machine stands for all within tolerances
 };
 }  // namespace pkm_workspace

@@ -6,10 +6,12 @@
 
 #include "pkm_workspace/interval/interval.h"
 #include "pkm_workspace/interval/rounding.h"
+#include "pkm_workspace/interval/symbols.h"
 
 namespace pkm_workspace
 {
-/// The set of functions f over delta in [-1, 1]^3 with |f(delta) - (center + gradient . delta)| <= radius.
+/// The set of functions f over delta in [-1, 1]^3 with |f(delta) - (center + gradient . delta)| <= radius. Where the
+/// type has parameters (symbols.h), delta stands for these as well.
 ///
 /// Guaranteed: if f and g are members of two forms, then f op g is a member of the result of op; rounding errors of any
 /// mode are part of the radius (each operation relative to its magnitude, see rounding::roundoff). Overestimation is of
@@ -18,14 +20,17 @@ template <class Real>
 struct AffineForm
 {
   Real center = Real(0);
-  std::array<Real, 3> gradient = { Real(0), Real(0), Real(0) };
+  Gradient<Real> gradient = {};
   Real radius = Real(0);
 
   /// Sum of the gradient's magnitudes, rounded: the linear part stays within it, up to the rounding that range() adds.
   Real swing() const
   {
     using std::abs;
-    return abs(gradient[0]) + abs(gradient[1]) + abs(gradient[2]);
+    Real sum = abs(gradient[0]);
+    for (std::size_t j = 1; j < gradient.size(); ++j)
+      sum = sum + abs(gradient[j]);
+    return sum;
   }
   /// An approximate bound on |f|: enough for bounding roundings, which are blown up by more than its own error.
   Real magnitude() const
@@ -39,7 +44,8 @@ struct AffineForm
   /// A bound, rounding of the caller's next addition to center included, of |f - center|.
   Real spread() const
   {
-    return swing() + radius + Real(8) * rounding::roundoff<Real>() * magnitude() + rounding::underflow<Real>();
+    constexpr double roundings = 5 + SYMBOLS<Real>;
+    return swing() + radius + Real(roundings) * rounding::roundoff<Real>() * magnitude() + rounding::underflow<Real>();
   }
 };
 
@@ -101,7 +107,12 @@ inline Enclosed<Real> operator*(const Enclosed<Real>& a, const Enclosed<Real>& b
 template <class Real>
 inline AffineForm<Real> operator-(const AffineForm<Real>& a)
 {
-  return { -a.center, { -a.gradient[0], -a.gradient[1], -a.gradient[2] }, a.radius };
+  AffineForm<Real> minus;
+  minus.center = -a.center;
+  for (std::size_t j = 0; j < a.gradient.size(); ++j)
+    minus.gradient[j] = -a.gradient[j];
+  minus.radius = a.radius;
+  return minus;
 }
 
 template <class Real>
@@ -109,7 +120,7 @@ inline AffineForm<Real> operator+(const AffineForm<Real>& a, const AffineForm<Re
 {
   AffineForm<Real> sum;
   sum.center = a.center + b.center;
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < sum.gradient.size(); ++j)
     sum.gradient[j] = a.gradient[j] + b.gradient[j];
   sum.radius = affine::widened(a.radius + b.radius, a.magnitude() + b.magnitude(), 4);
   return sum;
@@ -145,12 +156,38 @@ inline AffineForm<Real> operator*(const Enclosed<Real>& s, const AffineForm<Real
   using std::abs;
   AffineForm<Real> product;
   product.center = s.value * a.center;
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < product.gradient.size(); ++j)
     product.gradient[j] = s.value * a.gradient[j];
   const Real magnitude = a.magnitude();
   product.radius = affine::widened(abs(s.value) * a.radius + s.radius * magnitude, abs(s.value) * magnitude, 4);
   return product;
 }
+
+namespace affine
+{
+/// Sum of the magnitudes of a row's slopes that belong to parameters, rounded up; 0 where there are none.
+template <class Real>
+inline Real parameterSwing(const Gradient<Real>& slopes)
+{
+  using std::abs;
+  Real sum(0);
+  for (std::size_t j = 3; j < slopes.size(); ++j)
+    sum = sum + abs(slopes[j]);
+  return sum * (Real(1) + Real(2.0 * SYMBOLS<Real>) * rounding::roundoff<Real>());
+}
+
+/// What products of two slopes can be worth of which one belongs to a parameter, rounded up.
+template <class Real>
+inline Real parameterProducts(const Gradient<Real>& a, const Gradient<Real>& b)
+{
+  using std::abs;
+  const Real of_a = parameterSwing<Real>(a);
+  const Real of_b = parameterSwing<Real>(b);
+  const Real deltas_a = abs(a[0]) + abs(a[1]) + abs(a[2]);
+  const Real deltas_b = abs(b[0]) + abs(b[1]) + abs(b[2]);
+  return (of_a * (deltas_b + of_b) + deltas_a * of_b) * (Real(1) + Real(16) * rounding::roundoff<Real>());
+}
+}  // namespace affine
 
 /// Encloses f g. The squares delta_j^2 lie in [0, 1], so half of their coefficient moves into the center.
 template <class Real>
@@ -166,6 +203,8 @@ inline AffineForm<Real> operator*(const AffineForm<Real>& a, const AffineForm<Re
     shift = shift + a.gradient[j] * b.gradient[j];
     squares = squares + abs(a.gradient[j] * b.gradient[j]);
   }
+  for (std::size_t j = 3; j < product.gradient.size(); ++j)
+    product.gradient[j] = a.center * b.gradient[j] + b.center * a.gradient[j];
   Real mixed = Real(0);
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t k = j + 1; k < 3; ++k)
@@ -173,7 +212,9 @@ inline AffineForm<Real> operator*(const AffineForm<Real>& a, const AffineForm<Re
   product.center = a.center * b.center + shift / Real(2);
   const Real magnitude_a = a.magnitude();
   const Real magnitude_b = b.magnitude();
-  const Real radius = squares / Real(2) + mixed + a.radius * magnitude_b + b.radius * magnitude_a;
+  Real radius = squares / Real(2) + mixed + a.radius * magnitude_b + b.radius * magnitude_a;
+  if constexpr (SYMBOLS < Real >> 3)
+    radius = radius + affine::parameterProducts<Real>(a.gradient, b.gradient);
   product.radius = affine::widened(radius, magnitude_a * magnitude_b, 16);
   return product;
 }
@@ -192,7 +233,7 @@ inline AffineForm<Real> inverseOf(const AffineForm<Real>& a)
   const Real half_gap = gap * gap * slope / (Real(8) * low);
   AffineForm<Real> inverse;
   inverse.center = (low + high - a.center) * slope - half_gap;
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < inverse.gradient.size(); ++j)
     inverse.gradient[j] = -(a.gradient[j] * slope);
   inverse.radius = affine::widened(a.radius * slope + half_gap, (low + high + a.magnitude()) * slope, 32);
   return inverse;
@@ -213,7 +254,7 @@ inline AffineForm<Real> sqrtAbove(const AffineForm<Real>& a, const Real& floor)
   const Real half_gap = (high - low) * (high - low) / (Real(8) * sum);
   AffineForm<Real> root;
   root.center = a.center * slope + (low * high * slope + half_gap);
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < root.gradient.size(); ++j)
     root.gradient[j] = a.gradient[j] * slope;
   root.radius = affine::widened(a.radius * slope + half_gap, high + a.magnitude() * slope, 32);
   return root;

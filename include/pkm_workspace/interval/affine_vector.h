@@ -15,18 +15,27 @@ template <class Real>
 struct AffineVector
 {
   std::array<Real, 3> center;
-  std::array<std::array<Real, 3>, 3> linear;  ///< [component][delta]
+  std::array<Gradient<Real>, 3> linear;  ///< [component][delta, parameters]
   Real radius = Real(0);
   Real along = Real(0);
   std::array<Real, 3> axis = { Real(0), Real(0), Real(0) };
 
+  /// Sum of the magnitudes of a component's slopes, rounded.
+  Real swing(std::size_t k) const
+  {
+    using std::abs;
+    Real sum = abs(linear[k][0]);
+    for (std::size_t j = 1; j < linear[k].size(); ++j)
+      sum = sum + abs(linear[k][j]);
+    return sum;
+  }
   /// An approximate bound on the sum of the components' magnitudes, without the errors.
   Real magnitude() const
   {
     using std::abs;
     Real sum = Real(0);
     for (std::size_t k = 0; k < 3; ++k)
-      sum = sum + (abs(center[k]) + (abs(linear[k][0]) + abs(linear[k][1]) + abs(linear[k][2])));
+      sum = sum + (abs(center[k]) + swing(k));
     return sum;
   }
 };
@@ -39,7 +48,7 @@ inline Real reach(const std::array<Real, 3>& axis, const AffineVector<Real>& v)
 {
   using std::abs;
   Real bound = abs(axis[0] * v.center[0] + axis[1] * v.center[1] + axis[2] * v.center[2]);
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < v.linear[0].size(); ++j)
     bound = bound + abs(axis[0] * v.linear[0][j] + axis[1] * v.linear[1][j] + axis[2] * v.linear[2][j]);
   return bound;
 }
@@ -63,10 +72,6 @@ inline Real dotError(const AffineVector<Real>& u, const AffineVector<Real>& v, c
   const Real axes = abs(u.axis[0] * v.axis[0] + u.axis[1] * v.axis[1] + u.axis[2] * v.axis[2]);
   return isotropic + u.along * reach(u.axis, v) + v.along * reach(v.axis, u) + u.along * v.along * axes;
 }
-}  // namespace affine
-
-namespace affine
-{
 /// What a box adds to a matrix row: its entry for one delta.
 template <class Real>
 inline Real alongDelta(const std::array<Real, 3>& row, const CenteredBox<Real>& box, std::size_t j)
@@ -104,6 +109,8 @@ inline void mapOffset(const EnclosedMatrix<Real>& m, const EnclosedVector<Real>&
     image.center[k] = m.value[k][0] * x[0] + m.value[k][1] * x[1] + m.value[k][2] * x[2];
     for (std::size_t j = 0; j < 3; ++j)
       image.linear[k][j] = affine::alongDelta(m.value[k], box, j);
+    for (std::size_t j = 3; j < image.linear[k].size(); ++j)
+      image.linear[k][j] = Real(0);
   }
   const Real size = affine::sumOfMagnitudes(x) + affine::sumOfEdges(box);
   const Real shift = Real(3) * (m.magnitude + m.radius) * (c.radius + box.slack);
@@ -128,10 +135,16 @@ inline AffineForm<Real> dot(const AffineVector<Real>& u, const AffineVector<Real
     for (std::size_t l = 0; l < 3; ++l)
       p[j][l] = u.linear[0][j] * v.linear[0][l] + u.linear[1][j] * v.linear[1][l] + u.linear[2][j] * v.linear[2][l];
   }
+  for (std::size_t j = 3; j < result.gradient.size(); ++j)
+    result.gradient[j] = (u.center[0] * v.linear[0][j] + v.center[0] * u.linear[0][j]) +
+                         (u.center[1] * v.linear[1][j] + v.center[1] * u.linear[1][j]) +
+                         (u.center[2] * v.linear[2][j] + v.center[2] * u.linear[2][j]);
   const Real half = Real(1) / Real(2);
   result.center = center + half * (p[0][0] + p[1][1] + p[2][2]);
-  const Real quadratic = half * (abs(p[0][0]) + abs(p[1][1]) + abs(p[2][2])) + abs(p[0][1] + p[1][0]) +
-                         abs(p[0][2] + p[2][0]) + abs(p[1][2] + p[2][1]);
+  Real quadratic = half * (abs(p[0][0]) + abs(p[1][1]) + abs(p[2][2])) + abs(p[0][1] + p[1][0]) +
+                   abs(p[0][2] + p[2][0]) + abs(p[1][2] + p[2][1]);
+  for (std::size_t k = 0; k < 3 && SYMBOLS < Real >> 3; ++k)
+    quadratic = quadratic + affine::parameterProducts<Real>(u.linear[k], v.linear[k]);
   const Real size_u = u.magnitude();
   const Real size_v = v.magnitude();
   const Real unit = rounding::roundoff<Real>();
@@ -158,14 +171,16 @@ inline AffineForm<Real> squaredNorm(const AffineVector<Real>& v)
   const Real half = Real(0.5) * squares;
   const Real mixed = abs(product(0, 1)) + abs(product(0, 2)) + abs(product(1, 2));
   result.center = v.center[0] * v.center[0] + v.center[1] * v.center[1] + v.center[2] * v.center[2] + half;
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < result.gradient.size(); ++j)
   {
     const Real slope = v.center[0] * v.linear[0][j] + v.center[1] * v.linear[1][j] + v.center[2] * v.linear[2][j];
     result.gradient[j] = slope + slope;
   }
   const Real size = v.magnitude();
   const Real blown_up = size * (Real(1) + Real(32) * rounding::roundoff<Real>());
-  const Real error = v.radius * (Real(2) * blown_up + Real(3) * v.radius);
+  Real error = v.radius * (Real(2) * blown_up + Real(3) * v.radius);
+  for (std::size_t k = 0; k < 3 && SYMBOLS < Real >> 3; ++k)
+    error = error + affine::parameterProducts<Real>(v.linear[k], v.linear[k]);
   result.radius = affine::widened(half + Real(2) * mixed + error, size * size, 32);
   return result;
 }
@@ -181,7 +196,7 @@ inline void addAlong(AffineVector<Real>& v, const AffineForm<Real>& f, const Enc
     using std::abs;
     size = size + abs(v.center[k]);
     v.center[k] = v.center[k] + f.center * a.value[k];
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < f.gradient.size(); ++j)
     {
       size = size + abs(v.linear[k][j]);
       v.linear[k][j] = v.linear[k][j] + f.gradient[j] * a.value[k];
@@ -191,6 +206,39 @@ inline void addAlong(AffineVector<Real>& v, const AffineForm<Real>& f, const Enc
   v.radius = affine::widened(v.radius + a.radius * magnitude, size + magnitude * affine::sumOfMagnitudes(a.value), 8);
   v.along = f.radius;
   v.axis = a.value;
+}
+
+namespace affine
+{
+/// Makes the error along an axis one in all directions.
+template <class Real>
+inline void spreadError(AffineVector<Real>& v)
+{
+  v.radius = widened(v.radius + v.along * sumOfMagnitudes(v.axis), Real(0), 0);
+  v.along = Real(0);
+  v.axis = { Real(0), Real(0), Real(0) };
+}
+}  // namespace affine
+
+/// Adds f a for a form f and a vector a that depends on parameters alone; the radius of f goes along the center of a.
+/// @pre v and a have no error along an axis
+template <class Real>
+inline void addAlong(AffineVector<Real>& v, const AffineForm<Real>& f, const AffineVector<Real>& a)
+{
+  const Real size = v.magnitude();
+  Real products(0);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    using std::max;
+    v.center[k] = v.center[k] + f.center * a.center[k];
+    for (std::size_t j = 0; j < f.gradient.size(); ++j)
+      v.linear[k][j] = v.linear[k][j] + (f.gradient[j] * a.center[k] + f.center * a.linear[k][j]);
+    products = max(products, affine::parameterProducts<Real>(f.gradient, a.linear[k]) + f.radius * a.swing(k));
+  }
+  const Real magnitude = f.magnitude();
+  v.radius = affine::widened(v.radius + products + a.radius * magnitude, size + magnitude * a.magnitude(), 32);
+  v.along = f.radius;
+  v.axis = a.center;
 }
 
 namespace affine
@@ -245,38 +293,5 @@ template <class Real>
 inline Enclosed<Real> componentAtCenter(const AffineVector<Real>& v, std::size_t k)
 {
   return { v.center[k], affine::radiusOf(v, k) };
-}
-
-namespace affine
-{
-/// The determinant of the matrix of which row(i)[k] is an entry.
-template <class Entry>
-inline Entry determinant(const std::array<Entry, 3>& u, const std::array<Entry, 3>& v, const std::array<Entry, 3>& w)
-{
-  const auto minor = [&](std::size_t i, std::size_t j) { return v[i] * w[j] + -(v[j] * w[i]); };
-  return u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1);
-}
-}  // namespace affine
-
-/// Encloses det [u; v; w].
-template <class Real>
-inline AffineForm<Real> determinant(const AffineVector<Real>& u, const AffineVector<Real>& v,
-                                    const AffineVector<Real>& w)
-{
-  const auto row = [](const AffineVector<Real>& r) {
-    return std::array<AffineForm<Real>, 3>{ component(r, 0), component(r, 1), component(r, 2) };
-  };
-  return affine::determinant(row(u), row(v), row(w));
-}
-
-/// Encloses det [u; v; w] at delta = 0.
-template <class Real>
-[[gnu::flatten]] inline Enclosed<Real> determinantAtCenter(const AffineVector<Real>& u, const AffineVector<Real>& v,
-                                                           const AffineVector<Real>& w)
-{
-  const auto row = [](const AffineVector<Real>& r) {
-    return std::array<Enclosed<Real>, 3>{ componentAtCenter(r, 0), componentAtCenter(r, 1), componentAtCenter(r, 2) };
-  };
-  return affine::determinant(row(u), row(v), row(w));
 }
 }  // namespace pkm_workspace

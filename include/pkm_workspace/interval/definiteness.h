@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "pkm_workspace/interval/affine_form.h"
 
@@ -32,6 +33,28 @@ SymmetricForms<Real> operator*(const Enclosed<Real>& s, SymmetricForms<Real> m)
 
 namespace affine
 {
+/// The form for all parameters that it depends on: they become a part of its error.
+template <class Real>
+inline AffineForm<Real> withoutParameters(AffineForm<Real> form)
+{
+  form.radius = widened(form.radius + parameterSwing<Real>(form.gradient), form.magnitude(), 0);
+  for (std::size_t j = 3; j < form.gradient.size(); ++j)
+    form.gradient[j] = Real(0);
+  return form;
+}
+template <class Real, std::enable_if_t<(SYMBOLS<Real> > 3), int> = 0>
+inline SymmetricForms<Real> withoutParameters(SymmetricForms<Real> m)
+{
+  for (AffineForm<Real>& entry : m)
+    entry = withoutParameters(entry);
+  return m;
+}
+template <class Real, std::enable_if_t<SYMBOLS<Real> == 3, int> = 0>
+inline const SymmetricForms<Real>& withoutParameters(const SymmetricForms<Real>& m)
+{
+  return m;
+}
+
 /// What goes off the diagonal for the errors of the entries (Gershgorin), and for the roundings of what follows.
 template <class Real>
 inline std::array<Real, 3> diagonalLosses(const SymmetricForms<Real>& m)
@@ -74,8 +97,9 @@ inline auto havePositivePivots(const std::array<std::array<Real, N>, 6>& entries
 /// diagonal too: positive pivots are a proof, without the loss of digits that minors suffer at multiple eigenvalues.
 /// @return false (for a Pack: in each lane) when it is not, or cannot be proved
 template <class Real>
-auto isPositiveDefinite(const SymmetricForms<Real>& m)
+auto isPositiveDefinite(const SymmetricForms<Real>& matrix)
 {
+  const SymmetricForms<Real>& m = affine::withoutParameters(matrix);
   const std::array<Real, 3> losses = affine::diagonalLosses(m);
   std::array<std::array<Real, 8>, 6> corner;
   for (std::size_t k = 0; k < 6; ++k)
@@ -95,8 +119,9 @@ auto isPositiveDefinite(const SymmetricForms<Real>& m)
 
 /// The same on the convex hull of points delta of the cube.
 template <class Real, std::size_t N>
-auto isPositiveDefinite(const SymmetricForms<Real>& m, const std::array<std::array<Real, 3>, N>& points)
+auto isPositiveDefinite(const SymmetricForms<Real>& matrix, const std::array<std::array<Real, 3>, N>& points)
 {
+  const SymmetricForms<Real>& m = affine::withoutParameters(matrix);
   const std::array<Real, 3> losses = affine::diagonalLosses(m);
   std::array<std::array<Real, N>, 6> corner;
   for (std::size_t k = 0; k < 6; ++k)
@@ -130,7 +155,7 @@ inline AffineForm<Real> weightedSum(const SymmetricForms<Real>& m, const std::ar
   for (std::size_t k = 0; k < 6; ++k)
   {
     sum.center = sum.center + weight[k] * m[k].center;
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < sum.gradient.size(); ++j)
       sum.gradient[j] = sum.gradient[j] + weight[k] * m[k].gradient[j];
     sum.radius = sum.radius + size[k] * m[k].radius;
     magnitude = magnitude + size[k] * m[k].magnitude();

@@ -8,6 +8,7 @@
 #endif
 
 #include "pkm_workspace/interval/rounding.h"
+#include "pkm_workspace/interval/symbols.h"
 
 namespace pkm_workspace
 {
@@ -49,7 +50,8 @@ struct LaneMask
 /// W doubles that are worked on side by side: a number type for the templates of this folder, each lane bit for bit
 /// what double gives. W = 2 is for every x86-64 processor; a wider pack belongs only into a source file that is
 /// compiled for it and chosen at run time (see dexterity/box_kernel.h).
-template <int W>
+/// PARAMETERS of a machine are what forms in it depend on besides delta; see interval/symbols.h.
+template <int W, std::size_t PARAMETERS = 0>
 struct Pack
 {
   static constexpr int WIDTH = W;
@@ -63,6 +65,9 @@ struct Pack
       lanes[lane] = value;  // adding it to zeros would lose the sign of -0
   }
   explicit Pack(Lanes values) : lanes(values) {}
+  template <std::size_t OTHERS>
+  explicit Pack(Pack<W, OTHERS> other) : lanes(other.lanes)
+  {}
 
   /// The lanes from an array of W numbers.
   static Pack load(const double* values)
@@ -88,10 +93,10 @@ struct Pack
 };
 
 /// a where the mask is set, b elsewhere.
-template <int W>
-inline Pack<W> select(LaneMask<W> mask, Pack<W> a, Pack<W> b)
+template <int W, std::size_t P>
+inline Pack<W, P> select(LaneMask<W> mask, Pack<W, P> a, Pack<W, P> b)
 {
-  return Pack<W>(mask.lanes ? a.lanes : b.lanes);
+  return Pack<W, P>(mask.lanes ? a.lanes : b.lanes);
 }
 template <class Real>
 inline Real select(bool condition, const Real& a, const Real& b)
@@ -99,36 +104,36 @@ inline Real select(bool condition, const Real& a, const Real& b)
   return condition ? a : b;
 }
 
-template <int W>
-inline Pack<W> max(Pack<W> a, Pack<W> b)
+template <int W, std::size_t P>
+inline Pack<W, P> max(Pack<W, P> a, Pack<W, P> b)
 {
   return select(a < b, b, a);
 }
-template <int W>
-inline Pack<W> min(Pack<W> a, Pack<W> b)
+template <int W, std::size_t P>
+inline Pack<W, P> min(Pack<W, P> a, Pack<W, P> b)
 {
   return select(b < a, b, a);
 }
-template <int W>
-inline Pack<W> abs(Pack<W> a)
+template <int W, std::size_t P>
+inline Pack<W, P> abs(Pack<W, P> a)
 {
   using Masks = typename LanesOf<W>::Masks;
-  return Pack<W>(typename Pack<W>::Lanes(Masks(a.lanes) & (Masks{} + INT64_MAX)));
+  return Pack<W, P>(typename Pack<W, P>::Lanes(Masks(a.lanes) & (Masks{} + INT64_MAX)));
 }
-template <int W>
-inline Pack<W> sqrt(Pack<W> a)
+template <int W, std::size_t P>
+inline Pack<W, P> sqrt(Pack<W, P> a)
 {
 #if defined(__AVX512F__)
   if constexpr (W == 8)
-    return Pack<W>(_mm512_maskz_sqrt_pd(0xFF, a.lanes));  // g++ 12 warns of the plain one
+    return Pack<W, P>(_mm512_maskz_sqrt_pd(0xFF, a.lanes));  // g++ 12 warns of the plain one
 #endif
 #if defined(__AVX__)
   if constexpr (W == 4)
-    return Pack<W>(_mm256_sqrt_pd(a.lanes));
+    return Pack<W, P>(_mm256_sqrt_pd(a.lanes));
 #endif
 #if defined(__SSE2__)
   if constexpr (W == 2)
-    return Pack<W>(_mm_sqrt_pd(a.lanes));
+    return Pack<W, P>(_mm_sqrt_pd(a.lanes));
 #endif
   for (int lane = 0; lane < W; ++lane)
     a.lanes[lane] = std::sqrt(a.lanes[lane]);
@@ -150,10 +155,16 @@ inline bool any(bool condition)
 
 namespace rounding
 {
-template <int W>
-struct ScalarOf<Pack<W>>
+template <int W, std::size_t P>
+struct ScalarOf<Pack<W, P>>
 {
   using Type = double;
 };
 }  // namespace rounding
+
+template <int W, std::size_t P>
+struct ParametersOf<Pack<W, P>>
+{
+  static constexpr std::size_t COUNT = P;
+};
 }  // namespace pkm_workspace

@@ -153,8 +153,8 @@ std::array<Span<Real>, 3> pencilEigenvalues(const SymmetricForms<Real>& k, const
                                             const std::array<std::array<Real, 3>, 3>& w, const std::array<Real, 3>& mu)
 {
   using std::abs;
-  const SymmetricForms<Real> kw = congruent(k, w);
-  const SymmetricForms<Real> dw = congruent(d, w);
+  const SymmetricForms<Real> kw = congruent(affine::withoutParameters(k), w);
+  const SymmetricForms<Real> dw = congruent(affine::withoutParameters(d), w);
   const Real least = pencil::belowByRows(dw);
   const Real largest = -pencil::belowByRows(pencil::negated(dw));
   const auto definite = least > Real(0);

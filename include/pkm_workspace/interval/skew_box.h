@@ -23,7 +23,8 @@ inline AffineForm<Real> coordinate(const SkewBox<Real>& box, std::size_t axis)
 {
   AffineForm<Real> form;
   form.center = box.center[axis];
-  form.gradient = box.edges[axis];
+  for (std::size_t j = 0; j < 3; ++j)
+    form.gradient[j] = box.edges[axis][j];
   form.radius = box.slack;
   return form;
 }

@@ -5,13 +5,15 @@
 
 #include "pkm_workspace/machine/leg.h"
 #include "pkm_workspace/machine/sliding_strut_forms.h"
+#include "pkm_workspace/machine/tolerated_strut.h"
 
 namespace pkm_workspace
 {
 /// A leg for affine forms, and in floating point: one row for each kind, and one file, which defines the functions
-/// below for it.
+/// below for it. Where forms depend on parameters, it has tolerances.
 template <class Real>
-using LegOfForms = std::variant<StrutOfForms<Real>>;
+using LegOfForms =
+    std::variant<std::conditional_t<ParametersOf<Real>::COUNT == 0, StrutOfForms<Real>, ToleratedStrut<Real>>>;
 template <class Real>
 using PlainLeg = std::variant<PlainStrut<Real>>;
 
@@ -21,8 +23,8 @@ LegOfForms<Real> ofForms(const std::variant<Kinds...>& leg)
   return visitLeg([](const auto& kind) -> LegOfForms<Real> { return ofForms<Real>(kind); }, leg);
 }
 
-template <class Real>
-PlainLeg<Real> plain(const LegOfForms<Real>& leg)
+template <class Real, class... Kinds>
+PlainLeg<Real> plain(const std::variant<Kinds...>& leg)
 {
   return visitLeg([](const auto& kind) -> PlainLeg<Real> { return plain(kind); }, leg);
 }
@@ -44,8 +46,8 @@ inline decltype(auto) squaredRow(const std::variant<Kinds...>& leg)
 
 /// n' . t - b' q', what n . t = b q' has in its derivative beside n . t' - b q''.
 /// @param tangent t, the way of the tool, of length 1 @param speed q'
-template <class Real>
-inline AffineForm<Real> turningOf(const LegOfForms<Real>& leg, const AffineVector<Real>& tangent,
+template <class Real, class... Kinds>
+inline AffineForm<Real> turningOf(const std::variant<Kinds...>& leg, const AffineVector<Real>& tangent,
                                   const AffineForm<Real>& speed)
 {
   return visitLeg([&](const auto& kind) { return turningOf(kind, tangent, speed); }, leg);

@@ -46,6 +46,8 @@ public:
   int aspect() const { return aspect_; }
   /// Whether all three legs are known to slide in one direction: then nothing but the joint values changes along it.
   bool hasParallelRails() const;
+  /// Whether it stands for all machines within tolerances: what is said of it holds for each of them.
+  bool hasTolerances() const;
   /// Whether any joint has a limit.
   bool hasJointLimits() const;
   /// Whether any passive hinge has one.

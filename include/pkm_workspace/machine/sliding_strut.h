@@ -10,6 +10,7 @@
 #include "pkm_workspace/common/problems.h"
 #include "pkm_workspace/interval/interval_vector.h"
 #include "pkm_workspace/machine/leg_bounds.h"
+#include "pkm_workspace/machine/strut_tolerance.h"
 
 namespace pkm_workspace
 {
@@ -40,6 +41,8 @@ struct SlidingStrut
   std::vector<std::string> open_hinges = {};  ///< why a limit of a passive hinge is no such stop, one sentence each
   /// Along the strut, from A to B, where its ball joints are not tilted, of any length > 0: empty: as at zero.
   std::vector<IntervalVector> ball_axes = {};
+  /// The numbers above are what was meant; what was built is within these.
+  StrutTolerance tolerance = {};
 };
 
 /// A sliding strut as its formulas need it, in the constants of one arithmetic (docs/theory.md; paper, section 3.2).
@@ -60,6 +63,7 @@ struct EnclosedStrut : StrutConstants<Interval, IntervalVector, IntervalMatrix, 
   Interval length;  ///< L [m]
 };
 
+/// Of all struts within its tolerances.
 EnclosedStrut enclosed(const SlidingStrut& strut);
 
 // What a machine asks of each kind of leg.

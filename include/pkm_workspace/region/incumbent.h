@@ -32,6 +32,7 @@ public:
   ContainmentResult certify(const Candidate& region);
 
 private:
+  void certifyLess(const Candidate& region);
   std::int64_t allowedBoxes(double size) const;
   ContainmentResult check(const Candidate& region, const Budget& budget) const;
   ContainmentResult checkTurned(const Candidate& region, const Budget& budget) const;

@@ -4,6 +4,7 @@
 #include "pkm_workspace/dexterity/condition.h"
 #include "pkm_workspace/dexterity/criterion.h"
 #include "pkm_workspace/dexterity/meeting_rails.h"
+#include "pkm_workspace/interval/determinant.h"
 #include "pkm_workspace/interval/pack.h"
 
 namespace pkm_workspace

@@ -39,10 +39,10 @@ public:
   {
     for (std::size_t leg = 0; criterion.ball_tilt_max > 0.0 && leg < 3; ++leg)
     {
+      const Interval cosine = leastCosine(criterion.tiltOf(leg), machine, leg);
       const Interval length = sqrtAboveZero(squaredRow(machine.enclosed(static_cast<int>(leg))));
       for (const IntervalVector& axis : machine.ballAxes(static_cast<int>(leg)))
-        cones_.push_back(
-            { leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cos(criterion.tiltOf(leg)))) });
+        cones_.push_back({ leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cosine)) });
     }
   }
   template <class Other>
@@ -80,6 +80,14 @@ private:
     EnclosedVector<Real> axis;
     Enclosed<Real> minus_least;  ///< -|n| |a| cos phi
   };
+
+  /// The axes turn with a rail that is not as it was meant.
+  static Interval leastCosine(double tilt, const Machine& machine, std::size_t leg)
+  {
+    const double turn = slidingStrut(machine.leg(static_cast<int>(leg))).tolerance.direction;
+    return turn > 0.0 ? Interval(cos(tilt).lower(), cos(std::max((tilt - turn) * (1.0 - 0x1p-48), 0.0)).upper())
+                      : cos(tilt);
+  }
 
   std::vector<Cone> cones_;
 };

@@ -73,7 +73,7 @@ private:
     const auto tell = [&](const std::array<Real, 3>& u, const std::array<Real, 3>& v) {
       const AffineForm<Real> difference =
           squared_ * (quadraticForm(a_a, u) * quadraticForm(b_b, v)) - quadraticForm(a_a, v) * quadraticForm(b_b, u);
-      visitor.necessary({ ConditionKind::KAPPA_MAX }, u, v, Enclosed<Real>(per_squared_, Real(0)) * difference);
+      visitor.necessary({ ConditionKind::KAPPA_MAX }, u, v, Enclosed<Real>(per_squared_, Real(0)) * difference, 0);
     };
     tell(factors.least.vector, factors.largest.vector);
     tell(factors.least.vector, factors.middle);
@@ -97,7 +97,7 @@ private:
                 value * u[i] * u[i] * forms.legs[i].squared_drive.gradient[j];
       return slope / value;
     };
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < level.gradient.size(); ++j)
       level.gradient[j] =
           Real(0.5) * level.center *
           (relativeSlope(factors.least.vector, least, j) + relativeSlope(factors.largest.vector, largest, j));

@@ -34,7 +34,9 @@ public:
   {
     for (std::size_t leg = 0; criterion.hinge_limits && leg < 3; ++leg)
       for (const StrutStop& stop : slidingStrut(machine.leg(static_cast<int>(leg))).stops)
-        stops_.push_back({ { kindOf(stop), leg }, EnclosedVector<Real>(stop.direction), Enclosed<Real>(-stop.least) });
+        stops_.push_back({ { kindOf(stop), leg },
+                           EnclosedVector<Real>(stop.direction),
+                           Enclosed<Real>(-leastOf(stop, slidingStrut(machine.leg(static_cast<int>(leg))))) });
   }
   template <class Other>
   explicit HingeLimits(const HingeLimits<Other>& other)
@@ -73,6 +75,16 @@ private:
     EnclosedVector<Real> direction;
     Enclosed<Real> minus_least;
   };
+
+  /// A stop at an angle is as far out as the strut is long; its axes turn with a rail that is not as it was meant.
+  static Interval leastOf(const StrutStop& stop, const SlidingStrut& strut)
+  {
+    const StrutTolerance& by = strut.tolerance;
+    const Interval stretch = Interval(by.length) / strut.length;
+    const Interval turn = Interval(by.direction) * (strut.length + Interval(by.length)) * norm(stop.direction);
+    const double more = (abs(stop.least) * stretch + turn).upper();
+    return by.length > 0.0 || by.direction > 0.0 ? stop.least + Interval(-more, more) : stop.least;
+  }
 
   static ConditionKind kindOf(const StrutStop& stop)
   {

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""pkm with tolerances: all machines that could have been built, and how exactly one has to be."""
+import unittest
+
+from pkm import ORTHOGLIDE, CommandTest, run
+
+SOME = ("--tolerance-slider", 1e-4, "--tolerance-length", 1e-4)
+
+
+class Tolerances(CommandTest):
+    def ask(self, command, *words):
+        return self.answer(command, "--urdf", ORTHOGLIDE, *words)
+
+    def refused(self, words, reason):
+        process = run(*words)
+        self.assertEqual((process.returncode, process.stdout), (2, ""))
+        self.assertRegex(" ".join(process.stderr.split()), reason)
+
+    def test_largest_is_robust_and_says_so(self):
+        exact = self.ask("largest", "--accuracy", 1e-4)
+        robust = self.ask("largest", "--accuracy", 1e-4, *SOME)
+        self.assertLessEqual(robust["size"], 0.6436538)
+        self.assertGreaterEqual(robust["size_upper_bound"], 0.6436518)
+        self.assertLess(robust["size_upper_bound"], exact["size"])
+        self.assertEqual(robust["tolerances"], {"tolerance_slider": [1e-4], "tolerance_length": [1e-4]})
+        self.assertNotIn("tolerances", exact)
+        self.assertNotEqual(robust["geometry_hash"], exact["geometry_hash"])
+        text = " ".join(self.text("largest", "--urdf", ORTHOGLIDE, *SOME).split())
+        self.assertIn("This is about every machine whose numbers differ from the given ones by at most "
+                      "tolerance_length +-0.0001 m, tolerance_slider +-0.0001 m", text)
+
+    def test_none_is_the_machine_itself(self):
+        zeros = ("--tolerance-slider", 0, "--tolerance-direction", 0, 0, 0)
+        exact, same = self.ask("largest"), self.ask("largest", *zeros)
+        for answer in (exact, same):
+            answer.pop("seconds")
+        self.assertEqual(exact, same)
+
+    def test_they_come_from_a_file(self):
+        name = self.file("built.yaml", "tolerance_slider: 1e-4\ntolerance_length: [1e-4, 1e-4, 1e-4]\n")
+        given, read = self.ask("largest", *SOME), self.ask("largest", "--tolerances", name)
+        for answer in (given, read):
+            answer.pop("seconds")
+        self.assertEqual(given, read)
+        odd = self.file("odd.yaml", "tolerance_slider: wide\ntolerance_depth: 1\ntolerance_length: -1\n")
+        for reason in ("odd.yaml:1.*'wide' is no number", "odd.yaml:2.*tolerance_depth", "odd.yaml:3.*from 0 to 1000"):
+            self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerances", odd), reason)
+
+    def test_every_command_takes_them(self):
+        place = ("--center", 0.08, 0.08, 0.08, "--sides", 0.6, 0.6, 0.6)
+        self.assertEqual(self.ask("check", *place, *SOME)["verdict"], "inside")
+        self.assertEqual(self.ask("check", *place, "--tolerance-slider", 0.02)["verdict"], "outside")
+        exact = self.ask("pave", "--resolution", 0.2)
+        robust = self.ask("pave", "--resolution", 0.2, "--tolerance-length", 0.01)
+        self.assertLess(robust["volume_lower"], exact["volume_lower"])
+        self.assertLess(robust["volume_upper"], exact["volume_upper"])
+        path = ("--segment", "start 0 0 0", "--segment", "line 0.4082 0.4082 0.4082")
+        self.assertEqual(self.ask("path", *path)["verdict"], "inside")
+        self.assertEqual(self.ask("path", *path, *SOME)["verdict"], "outside")
+
+    def test_tolerate(self):
+        words = ("--center", 0.0862, 0.0862, 0.0862, "--sides", 0.64, 0.64, 0.64)
+        found = self.ask("tolerate", *words, *SOME)
+        self.assertLess(found["holds"], found["fails"])
+        self.assertLess(found["fails"], 1.25 * found["holds"])
+        self.assertAlmostEqual(sum(share["share"] for share in found["shares"]), 1.0, delta=0.05)
+        for factor, verdict in ((found["holds"], "inside"), (found["fails"], "outside")):
+            scaled = ("--tolerance-slider", factor * 1e-4, "--tolerance-length", factor * 1e-4)
+            self.assertEqual(self.ask("check", *words, *scaled)["verdict"], verdict)
+        text = self.text("tolerate", "--urdf", ORTHOGLIDE, *words, *SOME)
+        self.assertRegex(text, r"tolerance_slider +rail_. +[0-9.]+ % +#+")
+        self.assertIn("on the machine that is named", " ".join(text.split()))
+
+    def test_bad_numbers_are_refused(self):
+        for words, reason in (((-1e-4, ), r"tolerance_length = -0.0001 m must be from 0 to 1000 m"),
+                              ((1e-4, 1e-4), "tolerance_length has 2 numbers, expected one for all legs, three"),
+                              (("wide", ), "wide")):
+            self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-length", *words), reason)
+        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-direction", 0.2), "must be from 0 to 0.1 rad")
+        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-slider", 2), "zero configuration|singular")
+        place = ("--center", 0, 0, 0, "--radius", 0.1)
+        self.refused(("tolerate", "--urdf", ORTHOGLIDE, *place), "give one tolerance at least")
+
+
+if __name__ == "__main__":
+    unittest.main()
