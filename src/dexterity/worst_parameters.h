@@ -94,7 +94,8 @@ public:
 private:
   using LegSlopes = std::array<Base, STRUT_PARAMETERS>;
 
-  static Base inverse(const Base& x) { return Base(1) / max(x, Base(1e-300)); }
+  /// Of a length whose square may have underflowed.
+  static Base inverse(const Base& x) { return Base(1) / max(x, Base(1e-140)); }
   static Base signOf(const Base& x) { return select(x < Base(0), Base(-1), Base(1)); }
   /// Where a form falls most: so much less that what is rounded stays in the set.
   static Base against(const Base& slope) { return slope * Base(-1 + 0x1p-40); }

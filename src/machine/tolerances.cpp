@@ -119,20 +119,26 @@ Machine withTolerances(const Machine& machine, const Tolerances& tolerances)
 
 namespace
 {
-/// The slider takes its part of what both ends of a strut are off by.
+/// What of a coordinate's parameter is the box's part, the rest the ball's: all of the box where it is beyond it.
+double boxShareOf(double parameter, double box)
+{
+  return box > 0.0 ? std::clamp(parameter / box, -1.0, 1.0) : 0.0;
+}
+
+/// Box and ball each move both ends of a strut, by as much of them as belongs to the end.
 void moveEnds(SlidingStrut& strut, const StrutSpread& spread, const double* parameter)
 {
   const StrutTolerance& by = strut.tolerance;
+  const double both_balls = by.slider_ball + by.platform_ball;
   for (std::size_t j = 0; j < 3; ++j)
   {
-    const double at_slider = by.slider[j] + by.slider_ball;
-    const double both = at_slider + by.platform[j] + by.platform_ball;
-    for (std::size_t k = 0; k < 3 && both > 0.0; ++k)
+    const double of_box = boxShareOf(parameter[j], spread.set.box[j]);
+    const double reach = by.slider[j] + by.platform[j] + both_balls;
+    const double of_balls = both_balls > 0.0 ? (parameter[j] - spread.set.box[j] * of_box) * reach / both_balls : 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const Interval step = Interval(parameter[j]) * Interval(spread.center_slopes[j][k]);
-      const Interval share = Interval(at_slider) / Interval(both);
-      strut.origin[k] += share * step;
-      strut.platform[k] += (share - Interval(1.0)) * step;
+      strut.origin[k] += by.axes[k][j] * Interval(by.slider[j] * of_box + by.slider_ball * of_balls);
+      strut.platform[k] += by.axes[k][j] * Interval(-by.platform[j] * of_box - by.platform_ball * of_balls);
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pkm_workspace/machine/tolerated_strut.h"
+
 namespace pkm_workspace
 {
 namespace
@@ -14,6 +16,8 @@ constexpr double LEAST_FACTOR = 1e-9;
 constexpr double MOST_FACTOR = 1e9;
 /// Shares below this do not matter.
 constexpr double SHARE_THAT_MATTERS = 1e-3;
+/// How often the gap below the factor with which some are no machines is halved.
+constexpr int REFUSED_STEPS = 10;
 
 /// The factor by which the largest angle is as large as is allowed, or the most that is tried.
 double mostFactor(const Tolerances& tolerances)
@@ -53,6 +57,7 @@ private:
     try
     {
       const Machine machine = withTolerances(machine_, scaled(tolerances_, factor));
+      accepted_ = std::max(accepted_, factor);
       Budget budget = running_.rest();
       budget.max_boxes =
           query_.budget.max_boxes > 0 ? std::max<std::int64_t>(query_.budget.max_boxes - found_.boxes, 1) : 0;
@@ -72,7 +77,8 @@ private:
     }
     catch (const std::invalid_argument&)
     {
-      return Containment::UNDECIDED;  // one of them is no machine
+      refused_ = std::min(refused_, factor);  // one of them is no machine
+      return Containment::UNDECIDED;
     }
   }
 
@@ -86,7 +92,7 @@ private:
     const auto note = [&](Containment verdict) {
       if (verdict != Containment::INSIDE)
         least_open = std::min(least_open, factor);
-      if (verdict != Containment::OUTSIDE)
+      if (verdict != Containment::OUTSIDE && factor < refused_)
         most_open = std::max(most_open, factor);
       return verdict;
     };
@@ -95,6 +101,12 @@ private:
     for (factor = std::min(1.0, most); found_.fails == INF && factor < most && !isOver();)
     {
       factor = std::min(4.0 * factor, most);
+      note(attempt(factor));
+    }
+    // beyond some factor there are machines without a zero configuration: the largest below it is what tells most
+    for (int step = 0; step < REFUSED_STEPS && found_.fails == INF && refused_ < INF && !isOver(); ++step)
+    {
+      factor = std::sqrt(std::max(accepted_, LEAST_FACTOR) * refused_);
       note(attempt(factor));
     }
     while (found_.holds > 0.0 && least_open < INF && !isOver() && !areClose(found_.holds, least_open))
@@ -116,10 +128,12 @@ private:
   const Tolerances tolerances_;
   const RunningBudget running_;
   TolerableFactor found_;
+  double accepted_ = 0.0;  ///< the largest factor within which all are machines
+  double refused_ = INF;   ///< the least with which some are not
 };
 
 /// What each kind of each leg takes: the parameters of c belong to both ends of the strut.
-std::vector<ToleranceShare> sharesOf(const WorstMachine& worst, const Tolerances& tolerances)
+std::vector<ToleranceShare> sharesOf(const WorstMachine& worst, const Machine& machine)
 {
   std::vector<ToleranceShare> shares;
   double all = 0.0;
@@ -131,15 +145,19 @@ std::vector<ToleranceShare> sharesOf(const WorstMachine& worst, const Tolerances
   };
   for (int i = 0; i < 3; ++i)
   {
-    const StrutTolerance& by = tolerances[static_cast<std::size_t>(i)];
+    const StrutTolerance& by = slidingStrut(machine.leg(i)).tolerance;
     const double* const loss = worst.loss.data() + static_cast<std::size_t>(i) * STRUT_PARAMETERS;
+    const ParameterSet set = spreadOf(slidingStrut(machine.leg(i))).set;
     double part[4] = { 0.0, 0.0, 0.0, 0.0 };
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const double of[4] = { by.slider[k], by.slider_ball, by.platform[k], by.platform_ball };
-      const double sum = of[0] + of[1] + of[2] + of[3];
-      for (std::size_t n = 0; n < 4 && sum > 0.0; ++n)
-        part[n] += loss[k] * of[n] / sum;
+      const double parameter = std::abs(worst.parameter[static_cast<std::size_t>(i) * STRUT_PARAMETERS + k]);
+      const double of_box = parameter > 0.0 ? std::min(set.box[k] / parameter, 1.0) : 0.0;
+      const double boxes = by.slider[k] + by.platform[k], balls = by.slider_ball + by.platform_ball;
+      part[0] += boxes > 0.0 ? loss[k] * of_box * by.slider[k] / boxes : 0.0;
+      part[1] += balls > 0.0 ? loss[k] * (1.0 - of_box) * by.slider_ball / balls : 0.0;
+      part[2] += boxes > 0.0 ? loss[k] * of_box * by.platform[k] / boxes : 0.0;
+      part[3] += balls > 0.0 ? loss[k] * (1.0 - of_box) * by.platform_ball / balls : 0.0;
     }
     const char* const ends[4] = { "tolerance_slider", "tolerance_slider_ball", "tolerance_platform",
                                   "tolerance_platform_ball" };
@@ -158,7 +176,7 @@ void nameBadMachine(const Machine& machine, const FactorQuery& query, TolerableF
 {
   const Machine all = withTolerances(machine, scaled(tolerancesOf(machine), report.fails));
   const WorstMachine worst = BoxTest(all, query.criterion).kernel().worst(*report.bad_point);
-  report.shares = sharesOf(worst, tolerancesOf(all));
+  report.shares = sharesOf(worst, all);
   try
   {
     const Machine built = builtWith(all, worst.parameter);

@@ -11,8 +11,11 @@ namespace pkm_workspace
 {
 namespace
 {
-std::string whyUndecided(const ContainmentResult& result, const Budget& budget)
+std::string whyUndecided(const ContainmentResult& result, const Machine& machine, const Budget& budget)
 {
+  if (result.is_within_rounding && machine.hasTolerances())
+    return "the border of the set that all machines within the tolerances have is too close for bounds over all of "
+           "them";
   return result.is_within_rounding ? "the border of the set is within rounding of the region"
                                    : budget.endedBy(result.seconds, result.boxes) + " ended the proof";
 }
@@ -33,7 +36,7 @@ std::string describe(const ContainmentResult& result, const PointEvaluator& eval
                      const Eigen::Vector3d& center, double size, const Budget& budget)
 {
   if (result.verdict == Containment::UNDECIDED)
-    return "Neither is proved: " + whyUndecided(result, budget) + ".";
+    return "Neither is proved: " + whyUndecided(result, evaluator.machine(), budget) + ".";
   if (result.verdict == Containment::OUTSIDE)
     return "Proved: " + whyOutside(result, evaluator, shape.name());
   const Machine& machine = evaluator.machine();

@@ -20,7 +20,7 @@ std::string whyItFails(const TolerableFactor& found, const Machine& machine)
   const Eigen::Vector3d& p = *found.bad_point;
   std::string text = " at (" + exact(p.x()) + ", " + exact(p.y()) + ", " + exact(p.z()) + ") m";
   if (found.bad_machine)
-    text += " " + describe(*found.bad_limit, *found.bad_machine) + " on the machine that is named";
+    text += ", where " + describe(*found.bad_limit, *found.bad_machine) + " (it is listed below)";
   if (!found.shares.empty())
   {
     const ToleranceShare& first = found.shares.front();
@@ -35,13 +35,13 @@ std::string describe(const TolerableFactor& found, const Machine& machine, const
 {
   const std::string region = "the " + query.solid.shape->name();
   if (found.fails == 0.0)
-    return "The machine as it is meant is bad at a point of " + region + " already: no tolerances are small enough.";
+    return "The nominal machine is bad at a point of " + region + " already: no tolerances are small enough.";
   if (!(found.holds > 0.0))
     return "No factor was found with which " + region + " is good on every machine.";
   std::string text = "Every point of " + region + " is good on every machine within " +
                      significantBelow(found.holds, 6) + " times these tolerances";
   if (found.fails < INF)
-    text += "; within " + significantAbove(found.fails, 6) + " times, one is bad" + whyItFails(found, machine);
+    text += "; within " + significantAbove(found.fails, 6) + " times, one machine is bad" + whyItFails(found, machine);
   else
     text += "; up to the largest that are allowed no machine was found on which it is bad";
   return text + ".";
@@ -55,7 +55,8 @@ std::vector<std::string> differencesInWords(const Machine& built, const Machine&
     const SlidingStrut& is = slidingStrut(built.legs()[i]);
     const SlidingStrut& was = slidingStrut(meant.legs()[i]);
     const double angle = std::asin(std::min(1.0, mid(is.axis).cross(mid(was.axis)).norm()));
-    const double zero = (built.legs()[i].limits.upper() - meant.legs()[i].limits.upper());
+    const Interval &now = built.legs()[i].limits, &then = meant.legs()[i].limits;
+    const double zero = std::isfinite(then.upper()) ? now.upper() - then.upper() : now.lower() - then.lower();
     all.push_back(meant.legs()[i].joint + ": slider off by " + vectorText(mid(is.origin) - mid(was.origin)) +
                   " m, platform by " + vectorText(mid(is.platform) - mid(was.platform)) + " m, strut by " +
                   nearly(is.length.mid() - was.length.mid(), 4) + " m, rail by " + nearly(angle, 4) + " rad" +

@@ -70,7 +70,7 @@ class Tolerances(CommandTest):
             self.assertEqual(self.ask("check", *words, *scaled)["verdict"], verdict)
         text = self.text("tolerate", "--urdf", ORTHOGLIDE, *words, *SOME)
         self.assertRegex(text, r"tolerance_slider +rail_. +[0-9.]+ % +#+")
-        self.assertIn("on the machine that is named", " ".join(text.split()))
+        self.assertIn("(it is listed below)", " ".join(text.split()))
 
     def test_bad_numbers_are_refused(self):
         for words, reason in (((-1e-4, ), r"tolerance_length = -0.0001 m must be from 0 to 1000 m"),

@@ -192,6 +192,27 @@ TEST(Tolerances, littleIsLeftUndecided)
   }
 }
 
+// Found in review: a strut turned by its rail was held against an axis that did not turn, and said to be bad.
+TEST(Tolerances, axesOfBallJointsMayTurnWithTheRail)
+{
+  Machine::Legs legs = orthoglide().legs();
+  for (std::size_t leg = 0; leg < 3; ++leg)
+  {
+    slidingStrut(legs[leg]).ball_axes = { IntervalVector{ leg == 0 ? 1.0 : 0.0, leg == 1 ? 1.0 : 0.0,
+                                                          leg == 2 ? 1.0 : 0.0 } };
+    slidingStrut(legs[leg]).tolerance.direction = leg == 0 ? 0.05 : 0.0;
+  }
+  Criterion criterion;
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.ball_tilt_max = 1.5;
+  criterion.strut_tilt_max = { 0.112, 1.5, 1.5 };
+  const BoxTest test(Machine("tilting", legs, Vector3d::Zero()), criterion);
+  EXPECT_NE(test.classify(Vector3d(-0.8, 0.1, 0.0)), BoxVerdict::OUTSIDE);  // 0.1002 nominally, 0.11009 at most
+  EXPECT_NE(test.classify(Vector3d(-0.8, 0.1, 0.0)), BoxVerdict::INSIDE);
+  EXPECT_EQ(test.classify(Vector3d(-0.8, 0.3, 0.0)), BoxVerdict::OUTSIDE);
+  EXPECT_EQ(test.classify(Vector3d(-0.8, 0.0, 0.0)), BoxVerdict::INSIDE);
+}
+
 TEST(Tolerances, noneIsTheMachineItself)
 {
   for (const Machine& machine : { orthoglide(), uranesx(), crooked(1) })

@@ -176,5 +176,27 @@ TEST(Tolerate, bracketsTheFactorAndNamesAMachine)
   task.solid = makeSolid(makeCube(), 0.65);
   EXPECT_EQ(tolerableFactor(machine, task).fails, 0.0);
 }
+
+// Found in review: box and ball of both ends were mixed coordinate by coordinate, so that the ball was left.
+TEST(Tolerate, namesAMachineWithinItsTolerances)
+{
+  const Machine machine = within(orthoglide(), { { "tolerance_slider_ball", 1e-4 }, { "tolerance_platform", 1e-4 } });
+  FactorQuery query;
+  query.solid = makeSolid(makeCube(), 0.6);
+  query.center = Vector3d::Constant(0.08);
+  const TolerableFactor found = tolerableFactor(machine, query);
+  ASSERT_TRUE(found.bad_machine);
+  const double reach = 1e-4 * found.fails;
+  for (std::size_t leg = 0; leg < 3; ++leg)
+  {
+    const SlidingStrut& built = slidingStrut(found.bad_machine->legs()[leg]);
+    const SlidingStrut& meant = slidingStrut(machine.legs()[leg]);
+    EXPECT_LE((mid(built.origin) - mid(meant.origin)).norm(), reach * (1.0 + 1e-9));
+    EXPECT_LE((mid(built.platform) - mid(meant.platform)).cwiseAbs().maxCoeff(), reach * (1.0 + 1e-9));
+  }
+  // the slopes of three balls of two coordinates and of three boxes: sqrt(2) to 2
+  for (const ToleranceShare& share : found.shares)
+    EXPECT_NEAR(share.share, std::string(share.kind->name) == "tolerance_platform" ? 0.195 : 0.138, 0.001);
+}
 }  // namespace test
 }  // namespace pkm_workspace

@@ -81,12 +81,14 @@ private:
     Enclosed<Real> minus_least;  ///< -|n| |a| cos phi
   };
 
-  /// The axes turn with a rail that is not as it was meant.
+  /// Where axes turn with a rail that is not as it was meant, or do not: what is enough for all, and what one needs.
   static Interval leastCosine(double tilt, const Machine& machine, std::size_t leg)
   {
     const double turn = slidingStrut(machine.leg(static_cast<int>(leg))).tolerance.direction;
-    return turn > 0.0 ? Interval(cos(tilt).lower(), cos(std::max((tilt - turn) * (1.0 - 0x1p-48), 0.0)).upper())
-                      : cos(tilt);
+    if (!(turn > 0.0))
+      return cos(tilt);
+    return { cos((tilt + turn) * (1.0 + 0x1p-48)).lower(),
+             cos(std::max((tilt - turn) * (1.0 - 0x1p-48), 0.0)).upper() };
   }
 
   std::vector<Cone> cones_;
