@@ -24,13 +24,30 @@ public:
   /// A vertex and, by its bits, the axes along which the edge goes on.
   using Edge = std::uint64_t;
 
-  Lattice(const Box& box, double step) : origin_(box.lower - Eigen::Vector3d::Constant(step)), step_(step)
+  /// Cubes of that edge, which reach beyond the box.
+  Lattice(const Box& box, double step)
+    : origin_(box.lower - Eigen::Vector3d::Constant(step)), steps_(Eigen::Vector3d::Constant(step))
   {
     for (int k = 0; k < 3; ++k)
       cubes_[static_cast<std::size_t>(k)] = 2 + static_cast<int>(std::ceil(box.width(k) / step));
   }
+  /// Edges of at most that length and, but for a box that is shorter, half of it at least, so that vertices lie in all
+  /// faces of the box; and within it, if it is no shorter.
+  static Lattice fitted(const Box& box, double step)
+  {
+    Lattice lattice(box, step);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double steps = std::max(std::ceil(box.width(k) / step), box.width(k) < step ? 1.0 : 2.0);
+      lattice.steps_[k] = box.width(k) / steps;
+      lattice.cubes_[static_cast<std::size_t>(k)] = 2 + static_cast<int>(steps);
+    }
+    lattice.origin_ = box.lower - lattice.steps_;
+    return lattice;
+  }
 
-  double step() const { return step_; }
+  /// The longest edge along an axis.
+  double step() const { return steps_.maxCoeff(); }
   const LatticePoint& cubes() const { return cubes_; }
   std::size_t vertices() const
   {
@@ -48,8 +65,20 @@ public:
     const int row = static_cast<int>(id) / (cubes_[0] + 1);
     return { static_cast<int>(id) % (cubes_[0] + 1), row % (cubes_[1] + 1), row / (cubes_[1] + 1) };
   }
-  Eigen::Vector3d point(const LatticePoint& at) const { return origin_ + step_ * Eigen::Vector3d(at[0], at[1], at[2]); }
+  Eigen::Vector3d point(const LatticePoint& at) const
+  {
+    return origin_ + steps_.cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]));
+  }
   Eigen::Vector3d point(Id id) const { return point(place(id)); }
+  /// The cube that a point lies in, or is nearest to.
+  Id cubeOf(const Eigen::Vector3d& point) const
+  {
+    const Eigen::Vector3d at = (point - origin_).cwiseQuotient(steps_);
+    LatticePoint place;
+    for (std::size_t k = 0; k < 3; ++k)
+      place[k] = std::clamp(static_cast<int>(std::floor(at[static_cast<int>(k)])), 0, cubes_[k] - 1);
+    return id(place);
+  }
   /// The vertex of a cube, or end of an edge, by the axes along which it is beyond the lowest one.
   Id beyond(Id id, unsigned axes) const
   {
@@ -108,7 +137,7 @@ public:
 
 private:
   Eigen::Vector3d origin_;
-  double step_;
+  Eigen::Vector3d steps_;
   LatticePoint cubes_{};
 };
 }  // namespace pkm_workspace

@@ -25,7 +25,7 @@ public:
     : lattice_(inner.lattice()), inner_(inner), complement_(complement)
   {
     for (const Eigen::Vector3f& vertex : inner_mesh.vertices)
-      near_[cubeOf(vertex.cast<double>())].push_back(vertex.cast<double>());
+      near_[lattice_.cubeOf(vertex.cast<double>())].push_back(vertex.cast<double>());
   }
 
   /// An upper bound of the distance.
@@ -43,15 +43,6 @@ public:
   }
 
 private:
-  Id cubeOf(const Vector3d& point) const
-  {
-    const Vector3d at = (point - lattice_.point(LatticePoint{ 0, 0, 0 })) / lattice_.step();
-    LatticePoint place;
-    for (std::size_t k = 0; k < 3; ++k)
-      place[k] = std::min(lattice_.cubes()[k] - 1, std::max(0, static_cast<int>(std::floor(at[static_cast<int>(k)]))));
-    return lattice_.id(place);
-  }
-
   /// What of a tetrahedron is not proved to be out of the set, by its corners.
   std::vector<Vector3d> outerPart(const Tetrahedron& tetrahedron) const
   {
@@ -154,11 +145,10 @@ SetMeshes setMeshes(const Machine& machine, const MeshQuery& query)
     throw std::invalid_argument(text.str());
   }
   const BoxTest test(machine, query.criterion);
-  const Vector3d half = Vector3d::Constant(0.5 * query.resolution);
-  const Box around{ meshes.box.lower - half, meshes.box.upper + half };
-  // the set ends at the faces of a box that is asked for, between vertices, and a little before those of another one
-  const Box& limit = query.box ? meshes.box : around;
-  const Lattice lattice(around, query.resolution);
+  // the set ends at the faces of a box that is asked for, and a little before those of another one
+  const Vector3d around = Vector3d::Constant(query.box ? 0.0 : 0.5 * query.resolution);
+  const Box limit{ meshes.box.lower - around, meshes.box.upper + around };
+  const Lattice lattice = query.box ? Lattice::fitted(limit, query.resolution) : Lattice(limit, query.resolution);
   ThreadPool pool(query.budget.threads);
   ProvedSolid inner(test, limit, lattice, BoxVerdict::INSIDE, pool, budget);
   ProvedSolid complement(test, limit, lattice, BoxVerdict::OUTSIDE, pool, budget);

@@ -18,7 +18,6 @@ public:
 
   ContainmentResult run();
 
-  static constexpr std::int64_t WAVES_A_LOOK = 32;
   static constexpr std::size_t BATCH = 8;
 
   /// A part of the path at every scale of a range.

@@ -14,6 +14,7 @@ NUMBERS = ("0", "-0", "1", "-1", "0.5", "2", "0.1", "1e9", "1e-9", "1e308", "-1e
            "1e-200", "1e100", "1e-100", "1e-300", "1e16", "inf", "-nan", "0x1p-3", "1e", "abc", "1,5", "", " ", "=",
            "\n")
 COMMON = ("0.1", "0.2", "0.5", "1", "2")
+SMALL = ("0", "1e-9", "1e-6", "1e-4", "0.001")  # as tolerances are
 TEXTS = ("", " ", "x", "=", "\u00e9", "\n", "start 0 0 0", "line 1e308 0 0", "circle 0 0 0 0 0 1e-320", "line 0,1 0 0",
          "/", "/dev/null", "/no/such/file")
 STRAY = ("--", "--=", "--x=", "--=1", "---", "-", "--no-such-option", "--json=", "--urdf=", "=")
@@ -25,7 +26,7 @@ BUDGET = {"time-limit": "0.05", "max-boxes": "100", "threads": "1", "max-looks":
 class Fuzz(CommandTest):
     def options(self, command):
         """Name and number of values of each option."""
-        pattern = r"(?m)^  --([a-z-]+)(?: ([A-Za-z0-9_|]+(?: [A-Z0-9]+)*)(?=  |$))?"
+        pattern = r"(?m)^  --([a-z-]+)(?: ([A-Za-z0-9_|]+(?: [A-Z0-9]+)*)(?:\.\.)?(?=  |$))?"
         listed = re.findall(pattern, self.text(command, "--help"))
         return {name: values.split() for name, values in listed if name != "help"}
 
@@ -49,6 +50,10 @@ class Fuzz(CommandTest):
             chosen.pop("urdf", None)
         for name, values in chosen.items():
             given = [self.value(chance, kind) for kind in values]
+            if name.startswith("tolerance-") and chance.random() < 0.9:
+                given = [chance.choice(SMALL)]
+            if name == "tolerances" and chance.random() < 0.9:
+                given = [self.file("tolerances.yaml", "tolerance_zero: 1e-5\ntolerance_length: [1e-4, 0, 1e-3]\n")]
             if given and chance.random() < 0.2:
                 words += [f"--{name}={given[0]}", *given[1:]]
             else:
@@ -78,7 +83,7 @@ class Fuzz(CommandTest):
             for _ in range(CASES):
                 answered += self.assertAtNoLoss(command, *self.words(chance, options))
         print(f"{answered} answered")
-        self.assertGreater(answered, CASES // 2)
+        self.assertGreater(answered, CASES)
 
     def test_any_dimensions(self):
         for number in NUMBERS:

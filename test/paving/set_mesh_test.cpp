@@ -139,17 +139,22 @@ TEST(SetMesh, everyCondition)
 TEST(SetMesh, withinABox)
 {
   const test::MachineCase each{ "in a box", orthoglide(), Criterion() };
-  const Box box{ { -0.1, -0.2, -0.15 }, { 0.2, 0.1, 0.13 } };  // all of it is good
-  const SetMeshes meshes = setMeshes(each.machine, asked(each.criterion, 0.02, box));
-  expectClosed(meshes.inner);
-  for (const Eigen::Vector3f& vertex : meshes.inner.vertices)
-    EXPECT_TRUE(box.contains(vertex.cast<double>())) << vertex.transpose();
-  const double volume = box.volume().mid();
-  EXPECT_LT(meshes.inner.volume().upper(), volume);
-  EXPECT_GT(meshes.inner.volume().lower(), 0.97 * volume);
-  EXPECT_GT(meshes.outer.volume().lower(), volume);
-  EXPECT_LT(meshes.outer.volume().upper(), 1.08 * volume);  // about a seventh of a cube around it
-  EXPECT_LT(meshes.distance, 0.03);
+  // all of both is good; the sides of the second one are no multiples of the resolution
+  for (const Box& box :
+       { Box{ { -0.1, -0.2, -0.15 }, { 0.2, 0.1, 0.13 } }, Box{ { -0.1, -0.2, -0.15 }, { 0.211, 0.093, 0.127 } } })
+  {
+    const SetMeshes meshes = setMeshes(each.machine, asked(each.criterion, 0.02, box));
+    expectClosed(meshes.inner);
+    expectClosed(meshes.outer);
+    for (const Eigen::Vector3f& vertex : meshes.inner.vertices)
+      EXPECT_TRUE(box.contains(vertex.cast<double>())) << vertex.transpose();
+    const double volume = box.volume().mid();
+    EXPECT_LT(meshes.inner.volume().upper(), volume);
+    EXPECT_GT(meshes.inner.volume().lower(), 0.97 * volume);
+    EXPECT_GT(meshes.outer.volume().lower(), volume);
+    EXPECT_LT(meshes.outer.volume().upper(), 1.03 * volume);
+    EXPECT_LT(meshes.distance, 0.03);
+  }
 }
 
 // Points of the outer solid, against all corners of the inner one: a corner is no farther than an edge from what is
