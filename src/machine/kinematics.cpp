@@ -22,14 +22,14 @@ std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Ve
   std::array<LegAtPoint, 3> legs;
   for (int i = 0; i < 3; ++i)
     if (!visitLeg([&](const auto& kind) { return evaluateNear(kind, p, legs[static_cast<std::size_t>(i)]); },
-                  machine.enclosed(i)))
+                  machine.meant(i)))
       return std::nullopt;
   return legs;
 }
 
 bool isInModeOf(const Machine& machine, int leg, const Vector3d& strut)
 {
-  return visitLeg([&strut](const auto& kind) { return isInMode(kind, strut); }, machine.enclosed(leg));
+  return visitLeg([&strut](const auto& kind) { return isInMode(kind, strut); }, machine.meant(leg));
 }
 }  // namespace
 
@@ -94,7 +94,7 @@ std::pair<Matrix3d, Vector3d> spheresAt(const Machine& machine, const Vector3d& 
   std::pair<Matrix3d, Vector3d> spheres;
   for (int i = 0; i < 3; ++i)
   {
-    const LegSphere sphere = sphereAt(machine.enclosed(i), rho[i]);
+    const LegSphere sphere = sphereAt(machine.meant(i), rho[i]);
     spheres.first.col(i) = sphere.center;
     spheres.second[i] = sphere.radius;
   }

@@ -62,9 +62,16 @@ Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   if (!zero.allFinite() || zero.cwiseAbs().maxCoeff() > LARGEST)
     complain(problems, "zero configuration: the tool point must be finite, within 1e9 m");
   throwRefusal(name_, problems);
+  const auto prepare = [](const Leg& leg) {
+    return visitLeg([](const auto& kind) -> EnclosedLeg { return pkm_workspace::enclosed(kind); }, leg.kind);
+  };
   for (std::size_t i = 0; i < 3; ++i)
-    enclosed_[i] =
-        visitLeg([](const auto& kind) -> EnclosedLeg { return pkm_workspace::enclosed(kind); }, legs_[i].kind);
+  {
+    Leg meant = legs_[i];
+    slidingStrut(meant).tolerance = {};
+    enclosed_[i] = prepare(legs_[i]);
+    meant_[i] = prepare(meant);
+  }
   aspect_ = aspectAt(*this);
 }
 

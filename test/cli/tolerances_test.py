@@ -59,6 +59,15 @@ class Tolerances(CommandTest):
         self.assertEqual(self.ask("path", *path)["verdict"], "inside")
         self.assertEqual(self.ask("path", *path, *SOME)["verdict"], "outside")
 
+        there = ("--point", 0.1, 0.2, 0.05)
+        exact, robust = self.ask("evaluate", *there), self.ask("evaluate", *there, "--tolerance-direction", 0.01)
+        self.assertEqual((True, True), (exact["satisfies"], robust["satisfies"]))
+        for name in ("psi", "rho", "condition", "det_a", "serial_singularity", "parallel_singularity"):
+            self.assertEqual(exact[name], robust[name])  # numbers of the machine that was meant
+        for k in range(3):
+            self.assertLess(robust["psi_bounds"][k][0], exact["psi_bounds"][k][0])
+            self.assertGreater(robust["psi_bounds"][k][1], exact["psi_bounds"][k][1])
+
     def test_tolerate(self):
         words = ("--center", 0.0862, 0.0862, 0.0862, "--sides", 0.64, 0.64, 0.64)
         found = self.ask("tolerate", *words, *SOME)

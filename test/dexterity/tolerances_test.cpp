@@ -39,17 +39,6 @@ Tolerances randomTolerances(Random& random, const Machine& machine)
   return tolerances;
 }
 
-Deviation randomDeviation(Random& random)
-{
-  Deviation deviation;
-  const bool is_vertex = random.once(2);
-  for (auto& leg : deviation.share)
-    for (double& share : leg)
-      share = is_vertex ? random.sign() : random.uniform(-1.0, 1.0);
-  deviation.project();
-  return deviation;
-}
-
 Vector3d pointIn(Random& random, const Box& box)
 {
   Vector3d point;
@@ -211,6 +200,25 @@ TEST(Tolerances, axesOfBallJointsMayTurnWithTheRail)
   EXPECT_NE(test.classify(Vector3d(-0.8, 0.1, 0.0)), BoxVerdict::INSIDE);
   EXPECT_EQ(test.classify(Vector3d(-0.8, 0.3, 0.0)), BoxVerdict::OUTSIDE);
   EXPECT_EQ(test.classify(Vector3d(-0.8, 0.0, 0.0)), BoxVerdict::INSIDE);
+}
+
+// Controllers and pictures take the machine for what was meant.
+TEST(Tolerances, floatingPointIsOfTheMachineThatWasMeant)
+{
+  Random random(SEED + 3);
+  for (const Machine& exact : { orthoglide(), uranesx(), crooked(1) })
+  {
+    Tolerances some;
+    setTolerance(*toleranceKind("tolerance_direction"), { 0.02 }, some);
+    setTolerance(*toleranceKind("tolerance_length"), { 0.001 }, some);
+    const Machine machine = withTolerances(exact, some);
+    const Vector3d point = pointIn(random, { exact.zero() - Vector3d::Constant(0.1), exact.zero() });
+    const auto rho = inverseKinematics(machine, point);
+    ASSERT_TRUE(rho);
+    EXPECT_EQ(*rho, *inverseKinematics(exact, point));
+    EXPECT_EQ(*forwardKinematics(machine, *rho), *forwardKinematics(exact, *rho));
+    EXPECT_EQ(jacobians(machine, point)->a, jacobians(exact, point)->a);
+  }
 }
 
 TEST(Tolerances, noneIsTheMachineItself)

@@ -33,18 +33,6 @@ RegionQuery query(const ShapePtr& shape, double accuracy)
   return query;
 }
 
-/// A machine that a random vertex or point of the tolerances stands for.
-Deviation drawn(Random& random)
-{
-  Deviation deviation;
-  const bool is_vertex = random.once(2);
-  for (auto& leg : deviation.share)
-    for (double& share : leg)
-      share = is_vertex ? random.sign() : random.uniform(-1.0, 1.0);
-  deviation.project();
-  return deviation;
-}
-
 /// Points of the region on seeded machines, the worst one at some of them too.
 void expectGoodOnAll(const Machine& machine, const LargestRegion& region, const Shape& shape, Random& random)
 {
@@ -56,7 +44,7 @@ void expectGoodOnAll(const Machine& machine, const LargestRegion& region, const 
       offset[axis] = half[axis] * (random.once(2) ? random.sign() : random.uniform(-1.0, 1.0));
     const Vector3d point = shape.nearest(region.center + offset, region.center, region.size);
     const Vector3d inner = region.center + (1.0 - 1e-12) * (point - region.center);
-    const Deviation at = k % 60 == 0 ? worstDeviation(machine, Criterion(), inner, random, 2) : drawn(random);
+    const Deviation at = k % 60 == 0 ? worstDeviation(machine, Criterion(), inner, random, 2) : randomDeviation(random);
     ASSERT_TRUE(isGood(machine, at, Criterion(), inner)) << inner.transpose();
   }
 }
@@ -136,7 +124,7 @@ TEST(ToleratedRegion, jointRangesHoldThoseOfAllMachines)
   const std::array<JointRange, 3> ranges = jointRanges(machine, *cube, center, 0.1);
   for (int k = 0; k < cases(200); ++k)
   {
-    const Deviation at = drawn(random);
+    const Deviation at = randomDeviation(random);
     const Vector3d point = center + 0.05 * Vector3d(random.sign(), random.sign(), random.sign());
     const auto rho = inverseKinematics(built(machine, at), point);
     ASSERT_TRUE(rho);

@@ -37,6 +37,18 @@ struct Deviation
   }
 };
 
+/// A vertex of the tolerances, or any point of them.
+inline Deviation randomDeviation(Random& random)
+{
+  Deviation deviation;
+  const bool is_vertex = random.once(2);
+  for (auto& leg : deviation.share)
+    for (double& share : leg)
+      share = is_vertex ? random.sign() : random.uniform(-1.0, 1.0);
+  deviation.project();
+  return deviation;
+}
+
 /// Written from the definition: each number of the machine moved by itself. Rounding leaves it within the tolerances
 /// but for some 1e-16 of its numbers.
 inline Machine built(const Machine& meant, const Deviation& deviation)

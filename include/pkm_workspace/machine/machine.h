@@ -36,8 +36,10 @@ public:
   const std::string& name() const { return name_; }
   const Legs& legs() const { return legs_; }
   const Leg& leg(int i) const { return legs_[static_cast<std::size_t>(i)]; }
-  /// Leg i, prepared for its formulas.
+  /// Leg i, prepared for its formulas: all within its tolerances.
   const EnclosedLeg& enclosed(int i) const { return enclosed_[static_cast<std::size_t>(i)]; }
+  /// The same without tolerances, as it was meant: for floating point.
+  const EnclosedLeg& meant(int i) const { return meant_[static_cast<std::size_t>(i)]; }
   /// The point c of leg i [m]: its formulas depend on p - c.
   const IntervalVector& center(int i) const;
   /// Tool point of the zero configuration [m].
@@ -65,6 +67,7 @@ private:
   Legs legs_;
   Eigen::Vector3d zero_;
   std::array<EnclosedLeg, 3> enclosed_;
+  std::array<EnclosedLeg, 3> meant_;
   int aspect_ = 1;
 };
 
