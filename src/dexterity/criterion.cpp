@@ -128,6 +128,11 @@ std::string quality(const Criterion& criterion)
   return name(criterion.set) + " in the machine's " + name(criterion.aspect) + " aspect";
 }
 
+std::string quality(const Machine& machine, const Criterion& criterion)
+{
+  return quality(criterion) + (machine.hasTolerances() ? " on every machine within its tolerances" : "");
+}
+
 std::string describe(const Criterion& criterion)
 {
   return name(criterion.set) + boundsInWords(criterion, &CriterionBound::brief) + ", " + name(criterion.aspect) +

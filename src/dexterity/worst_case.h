@@ -32,6 +32,8 @@ public:
     visitor_.scalar(subject, worst_.of(form), power);
   }
 
+  /// @pre the forms depend on the place alone, as those of zones do: the worst machine of the best form is not the best
+  /// form of the worst machine
   template <class Enough>
   void anyOf(const Subject& subject, const AlternativeForms<Real>& forms, int power, const Enough& enough)
   {

@@ -93,6 +93,26 @@ EnclosedStrut enclosed(const SlidingStrut& strut)
   return constants;
 }
 
+namespace
+{
+/// A tenth of a strut is no tolerance, but a number in another unit.
+void validateTolerance(const SlidingStrut& strut, const std::string& place, Problems& problems)
+{
+  constexpr double MOST_SHARE = 0.1;
+  const StrutTolerance& by = strut.tolerance;
+  const double most = MOST_SHARE * strut.length.mid();
+  const auto check = [&](const char* what, double value) {
+    if (value > most)
+      complain(problems, place, ": a tolerance of ", value, " m of ", what, " must be at most ", most,
+               " m, a tenth of the strut's length");
+  };
+  check("its strut's length", by.length);
+  check("its joint's zero", by.zero);
+  check("its slider point", *std::max_element(by.slider.begin(), by.slider.end()) + by.slider_ball);
+  check("its platform point", *std::max_element(by.platform.begin(), by.platform.end()) + by.platform_ball);
+}
+}  // namespace
+
 void validate(const SlidingStrut& strut, const std::string& place, Problems& problems)
 {
   if (!isBounded(strut.origin) || !isBounded(strut.platform) || !isBounded(strut.axis))
@@ -103,6 +123,7 @@ void validate(const SlidingStrut& strut, const std::string& place, Problems& pro
     complain(problems, place, ": the axis must have unit length, its squared length is ", squaredNorm(strut.axis));
   if (!isOrdinaryLength(strut.length))
     complain(problems, place, ": strut length ", strut.length, " m must be from 1e-9 m to 1e9 m");
+  validateTolerance(strut, place, problems);
   if (strut.working_mode != 1 && strut.working_mode != -1)
     complain(problems, place, ": working mode ", strut.working_mode, " must be +1 or -1");
 }

@@ -46,16 +46,16 @@ std::string describe(const Components& components, bool is_whole, BoxVerdict zer
   return text + placeOfZero(zero, at);
 }
 
-std::string connectedSentence(std::size_t lines, const Criterion& criterion)
+std::string connectedSentence(std::size_t lines, const Machine& machine, const Criterion& criterion)
 {
   return "Proved: the points are connected, and every point of the path of " + counted(lines, "line") +
-         " that joins them is " + quality(criterion) + ".";
+         " that joins them is " + quality(machine, criterion) + ".";
 }
 
-std::string apartSentence(bool is_whole, const Criterion& criterion)
+std::string apartSentence(bool is_whole, const Machine& machine, const Criterion& criterion)
 {
-  return "Proved: the points are apart. Both are " + quality(criterion) + ", and no path in " + partOfSet(is_whole) +
-         " joins them.";
+  return "Proved: the points are apart. Both are " + quality(machine, criterion) + ", and no path in " +
+         partOfSet(is_whole) + " joins them.";
 }
 
 std::string openSentence(double resolution, const std::string& ended_by)

@@ -27,8 +27,9 @@ std::string whyOutside(const ContainmentResult& result, const PointEvaluator& ev
            " has a point where two struts are one vector, so that det A is 0: a parallel singularity, which belongs "
            "to no aspect.";
   const std::vector<std::string> reasons = violations(evaluator(*result.bad_point), evaluator.machine());
-  return "the bad point lies in the " + body + " and is not " + quality(evaluator.test().model().criterion()) +
-         (reasons.empty() ? "" : ": ") + joined(reasons, "; ") + ".";
+  return "the bad point lies in the " + body + " and is not " +
+         quality(evaluator.machine(), evaluator.test().model().criterion()) + (reasons.empty() ? "" : ": ") +
+         joined(reasons, "; ") + ".";
 }
 }  // namespace
 
@@ -41,7 +42,7 @@ std::string describe(const ContainmentResult& result, const PointEvaluator& eval
     return "Proved: " + whyOutside(result, evaluator, shape.name());
   const Machine& machine = evaluator.machine();
   const Criterion& criterion = evaluator.test().model().criterion();
-  const std::string proof = "Proved: every point of the " + shape.name() + " is " + quality(criterion) + ".";
+  const std::string proof = "Proved: every point of the " + shape.name() + " is " + quality(machine, criterion) + ".";
   return criterion.joint_limits
              ? proof
              : withRemark(proof, remarkOnLimits(machine, criterion, reachOver(machine, shape, center, size)));

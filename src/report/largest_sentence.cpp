@@ -41,7 +41,7 @@ int decimalsOf(const LargestRegion& region, double accuracy)
 
 std::string describe(const LargestRegion& region, const Machine& machine, const RegionQuery& query)
 {
-  const std::string good = quality(query.criterion);
+  const std::string good = quality(machine, query.criterion);
   const std::string base = query.base_z ? ", standing on z = " + exact(*query.base_z) + " m" : "";
   const std::string turned = query.turns() ? ", turned by this angle about the vertical" : "";
   const std::string found = "every point of the " + region.shape->name() + " with this center and size" + turned +

@@ -19,9 +19,9 @@ Measure::Measure(const Box& box)
 std::string describe(const Paving& paving, const Interval& measure, const Machine& machine, const std::string& ended_by)
 {
   const Measure of(paving.box);
-  std::string text = "Proved: the points of the box that are " + quality(paving.premises.criterion) + " have " +
-                     (of.dimension == 2 ? "an " : "a ") + of.name + " of " + bracket(measure.lower(), measure.upper()) +
-                     of.unit + ".";
+  std::string text = "Proved: the points of the box that are " + quality(machine, paving.premises.criterion) +
+                     " have " + (of.dimension == 2 ? "an " : "a ") + of.name + " of " +
+                     bracket(measure.lower(), measure.upper()) + of.unit + ".";
   if (isSectionOfAll(machine, paving))
     text +=
         " The rails are parallel: the box is flat, across the axis they run along, and in every plane parallel to "

@@ -33,20 +33,21 @@ std::string rates(const PlacementQuery& query)
 }
 
 /// "every point of the path is dextrous, and at 0.3 m/s the joints keep within their limits of speed".
-std::string goodness(const PlacementQuery& query)
+std::string goodness(const Machine& machine, const PlacementQuery& query)
 {
-  return "every point of the " + pieceOf(query) + " is " + quality(query.criterion) + rates(query);
+  return "every point of the " + pieceOf(query) + " is " + quality(machine, query.criterion) + rates(query);
 }
 
-std::string marginSentence(const LargestRegion& found, const PlacementQuery& query)
+std::string marginSentence(const LargestRegion& found, const Machine& machine, const PlacementQuery& query)
 {
   const int decimals = decimalsFor(found.size, found.size_upper_bound);
   const std::string above = roundedUp(found.size_upper_bound, decimals) + " m.";
   if (found.size > 0.0)
     return "Proved: with this translation, and moved from there by up to " + roundedDown(found.size, decimals) +
-           " m along each axis, " + goodness(query) + "; no translation that may be chosen has a margin above " + above;
+           " m along each axis, " + goodness(machine, query) +
+           "; no translation that may be chosen has a margin above " + above;
   if (found.size_upper_bound == 0.0)
-    return "Proved: there is no translation that may be chosen with which " + goodness(query) + ".";
+    return "Proved: there is no translation that may be chosen with which " + goodness(machine, query) + ".";
   return "Proved: no translation that may be chosen has a margin above " + above +
          " Whether one has any is not decided.";
 }
@@ -61,10 +62,10 @@ std::string placeOf(const Eigen::Vector3d& p)
   return "(" + exact(p.x()) + ", " + exact(p.y()) + ", " + exact(p.z()) + ") m";
 }
 
-std::string scaleSentence(const LargestScale& largest, const PlacementQuery& query)
+std::string scaleSentence(const LargestScale& largest, const Machine& machine, const PlacementQuery& query)
 {
   const int decimals = decimalsFor(largest.scale, largest.upper_bound);
-  const std::string good = "every point of the " + pieceOf(query) + " is " + quality(query.criterion);
+  const std::string good = "every point of the " + pieceOf(query) + " is " + quality(machine, query.criterion);
   const std::string from = " at all scales from " + exact(largest.least) + " to ";
   const std::string bound = roundedUp(largest.upper_bound, decimals);
   if (largest.scale == 0.0)
@@ -76,11 +77,11 @@ std::string scaleSentence(const LargestScale& largest, const PlacementQuery& que
 }
 }  // namespace
 
-std::string describe(const Placement& placement, const PlacementQuery& query)
+std::string describe(const Placement& placement, const Machine& machine, const PlacementQuery& query)
 {
-  std::string text = withRemark(marginSentence(placement.found, query), whatStopped(placement.found));
+  std::string text = withRemark(marginSentence(placement.found, machine, query), whatStopped(placement.found));
   if (placement.largest)
-    text = withRemark(text + scaleSentence(*placement.largest, query), whatStopped(placement.largest->search));
+    text = withRemark(text + scaleSentence(*placement.largest, machine, query), whatStopped(placement.largest->search));
   return text;
 }
 }  // namespace pkm_workspace

@@ -16,10 +16,10 @@ std::string describe(const PointEvaluation& there, const PointEvaluator& evaluat
   if (there.verdict == BoxVerdict::UNDECIDED)
     return "Neither is proved: the border of the set is within rounding of the point, where " + nearest + ".";
   if (there.verdict == BoxVerdict::INSIDE)
-    return withRemark("Proved: the point is " + quality(criterion) + "; the nearest limit: " + nearest + ".",
+    return withRemark("Proved: the point is " + quality(machine, criterion) + "; the nearest limit: " + nearest + ".",
                       remarkOnLimits(machine, criterion, reachAt(there.rho)));
   const std::vector<std::string> violated = violations(there, machine);
-  return "Proved: the point is not " + quality(criterion) + ": " +
+  return "Proved: the point is not " + quality(machine, criterion) + ": " +
          (violated.empty() ? nearest : joined(violated, "; ")) + ".";
 }
 }  // namespace pkm_workspace

@@ -93,9 +93,9 @@ private:
     switch (report_.verdict)
     {
       case Verdict::CONNECTED:
-        return connectedSentence(report_.path.size() - 1, criterion);
+        return connectedSentence(report_.path.size() - 1, machine_, criterion);
       case Verdict::APART:
-        return apartSentence(is_whole_, criterion);
+        return apartSentence(is_whole_, machine_, criterion);
       default:
         return openSentence(paving.resolution, budget_.endedBy(paving.boxes, !paving.complete));
     }

@@ -106,6 +106,10 @@ void ExportTask::validateBody(Problems& problems) const
 
 void ExportTask::validateMachine(const Machine& machine, Problems& problems) const
 {
+  if (machine.hasTolerances())
+    problems.emplace_back(
+        "limits of a controller are about where it believes the tool to be, and on a machine within tolerances the "
+        "tool is elsewhere: leave the tolerances out, and make the region smaller by how far off the tool may be");
   if (!holdsCylinders(format))
     return;
   for (const Leg& leg : machine.legs())

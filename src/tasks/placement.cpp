@@ -122,7 +122,7 @@ PlacementReport place(const Machine& machine, const PlacementTask& task)
   if (task.base_z)
     standOn(*task.base_z, workpiece->lowest(), report.query);
   report.placement = findPlacement(machine, report.query);
-  report.message = withRemark(describe(report.placement, report.query),
+  report.message = withRemark(describe(report.placement, machine, report.query),
                               task.rates.isHeld() ? speedsNotHeld(limits, machine, task.rates.joint_speeds_off) : "");
   report.message = withRemark(report.message, remarkOnLimits(machine, task.query.criterion, std::nullopt));
   return report;

@@ -8,6 +8,9 @@ from pkm import ORTHOGLIDE, CommandTest, run
 SOME = ("--tolerance-slider", 1e-4, "--tolerance-length", 1e-4)
 
 
+PLACE = ("--center", 0, 0, 0, "--sides", 0.1, 0.1, 0.1)
+
+
 class Tolerances(CommandTest):
     def ask(self, command, *words):
         return self.answer(command, "--urdf", ORTHOGLIDE, *words)
@@ -27,6 +30,10 @@ class Tolerances(CommandTest):
         self.assertNotIn("tolerances", exact)
         self.assertNotEqual(robust["geometry_hash"], exact["geometry_hash"])
         text = " ".join(self.text("largest", "--urdf", ORTHOGLIDE, *SOME).split())
+        plain = " ".join(self.text("largest", "--urdf", ORTHOGLIDE).split())
+        for said, word in ((text, self.assertIn), (plain, self.assertNotIn)):
+            word("own aspect on every machine within its tolerances; no cube", said)
+            word("has all its points dextrous in the machine's own aspect on every machine within its", said)
         self.assertIn("This is about every machine whose numbers differ from the given ones by at most "
                       "tolerance_length +-0.0001 m, tolerance_slider +-0.0001 m", text)
 
@@ -87,7 +94,10 @@ class Tolerances(CommandTest):
                               (("wide", ), "wide")):
             self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-length", *words), reason)
         self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-direction", 0.2), "must be from 0 to 0.1 rad")
-        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-slider", 2), "zero configuration|singular")
+        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-slider", 2),
+                     "a tolerance of 2 m of its slider point must be at most 0.1 m, a tenth of the strut's length")
+        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-zero", 0, "--tolerance-zero", 0), "a second time")
+        self.refused(("export", "--urdf", ORTHOGLIDE, *PLACE, "--format", "linuxcnc", *SOME), "believes the tool to be")
         place = ("--center", 0, 0, 0, "--radius", 0.1)
         self.refused(("tolerate", "--urdf", ORTHOGLIDE, *place), "give one tolerance at least")
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pkm_workspace/dexterity/criterion.h"
+#include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
@@ -24,4 +25,6 @@ std::string name(Criterion::Aspect aspect);
 
 /// "dextrous" or "reachable", and in which aspect: "dextrous in the machine's own aspect".
 std::string quality(const Criterion& criterion);
+/// The same of points of all machines within tolerances, where it has any: ".. on every machine within its tolerances".
+std::string quality(const Machine& machine, const Criterion& criterion);
 }  // namespace pkm_workspace

@@ -17,9 +17,9 @@ std::string partOfSet(bool is_whole);
 std::string describe(const Components& components, bool is_whole, BoxVerdict zero, std::optional<std::size_t> at);
 
 /// That a path of so many lines joins two points.
-std::string connectedSentence(std::size_t lines, const Criterion& criterion);
+std::string connectedSentence(std::size_t lines, const Machine& machine, const Criterion& criterion);
 /// That none does.
-std::string apartSentence(bool is_whole, const Criterion& criterion);
+std::string apartSentence(bool is_whole, const Machine& machine, const Criterion& criterion);
 /// That it is not known, and what may settle it. @param ended_by empty where the resolution was the end
 std::string openSentence(double resolution, const std::string& ended_by);
 }  // namespace pkm_workspace

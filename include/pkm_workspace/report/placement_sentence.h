@@ -9,5 +9,5 @@ namespace pkm_workspace
 {
 /// Says what is proved: where the workpiece is good and with which margin, that no translation leaves it a larger one,
 /// and how large it may be.
-std::string describe(const Placement& placement, const PlacementQuery& query);
+std::string describe(const Placement& placement, const Machine& machine, const PlacementQuery& query);
 }  // namespace pkm_workspace
