@@ -211,6 +211,22 @@ double unitOf(const Machine& machine)
 {
   return machine.scale() / 1000.0;
 }
+
+/// rviz draws what is opaque first, so that a set around a region would be seen over its lines; and of the rest first
+/// what is far from whoever looks, mostly from above, by the places of markers. So these become nearly opaque, with a
+/// place a little above the others'.
+void drawLinesOver(double step, visualization_msgs::MarkerArray& array)
+{
+  for (Marker& marker : array.markers)
+  {
+    if (marker.ns != "region" || (marker.type != Marker::LINE_LIST && marker.type != Marker::LINE_STRIP))
+      continue;
+    marker.color.a = 0.99F;
+    marker.pose.position.z = step;
+    for (geometry_msgs::Point& point : marker.points)
+      point.z -= step;
+  }
+}
 }  // namespace
 
 visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& premises, const Machine& machine,
@@ -225,7 +241,10 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& 
     set->addTo(scene, "paving_inside", "paving_boundary");
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
     addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), places.ofRail(i), scene);
-  return scene.array();
+  visualization_msgs::MarkerArray array = scene.array();
+  if (set && set->isSolid())
+    drawLinesOver(64.0 * scene.unit(), array);
+  return array;
 }
 
 visualization_msgs::MarkerArray markersOf(const SetPicture& set, const Premises& premises, const Machine& machine,

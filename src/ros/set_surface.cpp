@@ -144,9 +144,8 @@ void SetSurface::addTo(Scene& scene, const std::string& inside, const std::strin
   const Boxes good = below(good_, scene.unit(), ceiling);
   Boxes open = below(open_, scene.unit(), ceiling);
   open.absent.insert(open.absent.end(), good.absent.begin(), good.absent.end());
-  const bool is_solid = (whole_.upper.array() > whole_.lower.array()).all();
   // of a solid four layers are seen through each other
-  const float density = (is_solid ? 1.0F : 2.2F) * (is_solid && !legend_.empty() ? DENSER : 1.0F);
+  const float density = (isSolid() ? 1.0F : 2.2F) * (isSolid() && !legend_.empty() ? DENSER : 1.0F);
   addShell(inside, densely(SET_INSIDE, density), {}, good, false, scene);
   addShell(undecided, densely(SET_BOUNDARY, density), good.shown, open, true, scene);
 }

@@ -36,6 +36,8 @@ public:
 
   /// The conditions whose colours it has, in their order; none by verdict.
   virtual const Legend& legend() const = 0;
+  /// Whether it is around a region that lies in it.
+  virtual bool isSolid() const = 0;
   /// Adds a list of triangles for what is inside, one for what is undecided.
   /// @param inside, undecided namespaces
   /// @param ceiling what is above it is left out [m]

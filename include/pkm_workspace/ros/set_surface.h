@@ -28,6 +28,7 @@ public:
 
   const Legend& legend() const override { return legend_; }
   /// @param ceiling boxes that reach above it are left out [m]; flat ones that do not change along z are lowered to it
+  bool isSolid() const override { return (whole_.upper.array() > whole_.lower.array()).all(); }
   void addTo(Scene& scene, const std::string& inside, const std::string& undecided, double ceiling) const override;
 
 private:

@@ -18,6 +18,7 @@ public:
   ~SmoothSurface() override;
 
   const Legend& legend() const override { return legend_; }
+  bool isSolid() const override { return true; }
   void addTo(Scene& scene, const std::string& inside, const std::string& undecided, double ceiling) const override;
 
 private:
