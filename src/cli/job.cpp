@@ -13,6 +13,7 @@ namespace cli
 namespace
 {
 constexpr std::size_t MOST_OFFENCES = 1000000;
+constexpr std::int64_t MOST_TOOL = 1000000;
 
 Eigen::Vector3d pointOf(const Words& words, std::size_t first)
 {
@@ -26,6 +27,10 @@ std::size_t systemOf(const std::string& name)
   const std::string known = readChoice(name, { WORK_OFFSETS.begin(), WORK_OFFSETS.end() });
   return static_cast<std::size_t>(std::find(WORK_OFFSETS.begin(), WORK_OFFSETS.end(), known) - WORK_OFFSETS.begin());
 }
+void readTool(const Words& words, const Quantity& quantity, std::map<int, double>& tools)
+{
+  tools[static_cast<int>(readCount(words[0], MOST_TOOL))] = readNumbers({ words[1] }, quantity)[0];
+}
 }  // namespace
 
 void JobOption::declare(Options& options, bool lists_lines)
@@ -34,6 +39,24 @@ void JobOption::declare(Options& options, bool lists_lines)
       "gcode", job_.name, "FILE",
       std::string("job in G-code, in place of a file (docs/gcode.md lists what is read): each move at its feed") +
           (lists_lines ? ", every line that offends is listed" : ""));
+  options.choice("interpreter", interpreter_, INTERPRETERS,
+                 "who reads the job: this program the words that docs/gcode.md lists, or LinuxCNC's rs274, where it is "
+                 "installed, the whole language");
+  declareSetup(options);
+  if (lists_lines)
+    options.count("most-listed", job_.most_listed, MOST_OFFENCES, "offending lines of a job that are listed");
+  options.check({ "gcode" }, [this, &options](Problems& problems) {
+    for (const char* const name : { "origin", "tool-at", "work-offset", "tool-length", "tool-diameter", "rapid-feed",
+                                    "most-listed", "interpreter" })
+      if (!isGiven() && options.given(name))
+        problems.push_back("--" + std::string(name) + " is without effect: it is about a job in G-code (--gcode)");
+    if (isGiven() && options.given("tool-diameter") && interpreter_ == Interpreter::OWN)
+      problems.push_back("--tool-diameter is without effect: G41 and G42 are read with --interpreter rs274 only");
+  });
+}
+
+void JobOption::declareSetup(Options& options)
+{
   options.words("origin", "X Y Z",
                 "where the controller's zero is, in the frame of the root link [m]; 0 0 0 without it",
                 [this](const Words& words) { job_.setup.origin = pointOf(words, 0); });
@@ -45,9 +68,12 @@ void JobOption::declare(Options& options, bool lists_lines)
                    [this](const Words& words) { job_.setup.work_offsets[systemOf(words[0])] = pointOf(words, 1); });
   options.repeated("tool-length", "NUMBER LENGTH", "length of the tool that G43 H names by its number [m]",
                    [this](const Words& words) {
-                     const auto number = static_cast<int>(readCount(words[0], 1000000));
-                     job_.setup.tool_lengths[number] =
-                         readNumbers({ words[1] }, Quantity{ "m", -FARTHEST_SETUP, true, FARTHEST_SETUP })[0];
+                     readTool(words, Quantity{ "m", -FARTHEST_SETUP, true, FARTHEST_SETUP }, job_.setup.tool_lengths);
+                   });
+  options.repeated("tool-diameter", "NUMBER DIAMETER",
+                   "diameter of the tool that G41 D and G42 D name by its number [m]; for rs274",
+                   [this](const Words& words) {
+                     readTool(words, Quantity{ "m", 0.0, true, FARTHEST_SETUP }, job_.setup.tool_diameters);
                    });
   options.words("rapid-feed", "V",
                 "speed of G0 [m/s], or 'programmed' where G0 goes at the feed in effect, as printers "
@@ -57,17 +83,13 @@ void JobOption::declare(Options& options, bool lists_lines)
                   if (!job_.setup.rapids_have_feed)
                     job_.rapid_feed = readNumbers(words, Quantity{ "m/s", SLOWEST_TOOL, true, FASTEST_TOOL })[0];
                 });
-  if (lists_lines)
-    options.count("most-listed", job_.most_listed, MOST_OFFENCES, "offending lines of a job that are listed");
-  options.check({ "gcode" }, [this, &options](Problems& problems) {
-    for (const char* const name : { "origin", "tool-at", "work-offset", "tool-length", "rapid-feed", "most-listed" })
-      if (!isGiven() && options.given(name))
-        problems.push_back("--" + std::string(name) + " is without effect: it is about a job in G-code (--gcode)");
-  });
 }
 
-void JobOption::describeTo(PathTask& task, Progress& progress)
+void JobOption::describeTo(PathTask& task, Progress& progress, const End& end)
 {
+  job_.is_for_rs274 = interpreter_ == Interpreter::RS274;
+  job_.is_over = end.is_over;
+  job_.ended_by = end.ended_by;
   job_.read_lines = [this](const LineTaker& take) { readLines(job_.name, take); };
   job_.tell = [&progress](std::size_t lines, std::size_t offending) {
     progress.tell(std::to_string(lines) + " lines, " + std::to_string(offending) +
@@ -79,6 +101,7 @@ void JobOption::describeTo(PathTask& task, Progress& progress)
 
 void JobOption::addTo(Json& json) const
 {
+  json["interpreter"] = INTERPRETERS[static_cast<std::size_t>(interpreter_)];
   json["lines"] = job_.findings().lines;
   json["moves"] = job_.findings().summary.moves;
   json["unknown_moves"] = job_.findings().summary.unknown_moves;

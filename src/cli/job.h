@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,14 @@ namespace pkm_workspace
 {
 namespace cli
 {
+/// Who reads the words of a job.
+enum class Interpreter
+{
+  OWN,
+  RS274
+};
+constexpr std::array<const char*, 2> INTERPRETERS = { "own", "rs274" };  // as Interpreter
+
 /// --gcode and what a job does not say by itself; what is found about its lines. The file is read while its moves are
 /// checked, and never held.
 class JobOption
@@ -22,8 +32,14 @@ public:
   void declare(Options& options, bool lists_lines);
   bool isGiven() const { return !job_.name.empty(); }
 
+  /// What ends an interpreter that runs beside the command.
+  struct End
+  {
+    std::function<bool()> is_over;
+    std::function<std::string()> ended_by;
+  };
   /// Makes the task about the job. @param progress is told how far it has come; both have to outlive the task
-  void describeTo(PathTask& task, Progress& progress);
+  void describeTo(PathTask& task, Progress& progress, const End& end);
   /// After the task: what the job is.
   void addTo(Json& json) const;
   void addRows(std::vector<Words>& rows) const;
@@ -35,7 +51,10 @@ public:
   std::string remark() const { return job_.remark(); }
 
 private:
+  void declareSetup(Options& options);
+
   JobTask job_;
+  Interpreter interpreter_ = Interpreter::OWN;
 };
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -105,7 +105,7 @@ private:
     task_.query.stop = stopOnSignalOrAfter(time_limit_);
     task_.stopped_by = [this] { return stoppedBy(time_limit_); };
     if (source_.job().isGiven())
-      source_.job().describeTo(task_, progress);
+      source_.job().describeTo(task_, progress, { [this] { return task_.query.stop->load(); }, task_.stopped_by });
     else
       describePath();
     PathReport report = checkPath(PointEvaluator(machine_.machine(), criterion_), task_);

@@ -108,13 +108,15 @@ public:
     const Machine& machine = machine_.machine();
     Progress progress(progress_);
     PathTask path;
+    task_.query.budget.stop = stopOnSignal();
+    const RunningBudget reading(task_.query.budget);
     if (source_.job().isGiven())
-      source_.job().describeTo(path, progress);
+      source_.job().describeTo(path, progress,
+                               { [&reading] { return reading.isOver(); }, [&reading] { return reading.endedBy(0); } });
     else if (source_.isGiven())
       path.for_each = [this](const auto& use) { source_.text().handOver(use); };
     task_.for_each = path.for_each;
     task_.query.accuracy = accuracy_.value_or(0.1 * defaultAccuracy(machine));
-    task_.query.budget.stop = stopOnSignal();
     task_.query.progress = [&progress](const RegionProgress& state) {
       progress.tell("margin [m], or growth of the scale " + bracket(state.size, state.size_upper_bound) + ", " +
                     std::to_string(state.boxes_done) + " boxes done, " + std::to_string(state.boxes_open) + " open");

@@ -21,6 +21,11 @@ std::optional<GcodeMove> GcodeJob::read(const std::string& line)
   return state_->read(line);
 }
 
+std::size_t GcodeJob::line() const
+{
+  return state_->line();
+}
+
 GcodeSummary GcodeJob::summary() const
 {
   return state_->summary();
@@ -31,9 +36,7 @@ GcodeJob::State::State(const GcodeSetup& setup)
 {
   if (!setup.start)
     return;
-  const gcode::Place start = gcode::fromMetres(*setup.start);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    place_[axis] = start[axis] - origin_[axis];
+  place_ = gcode::difference(gcode::fromMetres(*setup.start), origin_);
   is_known_.fill(true);
 }
 

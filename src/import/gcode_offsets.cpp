@@ -25,6 +25,11 @@ Place fromMetres(const Eigen::Vector3d& metres)
   return { fromMetres(metres.x()), fromMetres(metres.y()), fromMetres(metres.z()) };
 }
 
+Place difference(const Place& a, const Place& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
 int readWhole(char letter, std::string_view number, int least, int most)
 {
   const std::int64_t count = readExactly(number, PLAIN);

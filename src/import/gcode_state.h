@@ -44,6 +44,7 @@ private:
 /// A length in metres as it is written, of an option.
 std::int64_t fromMetres(double metres);
 Place fromMetres(const Eigen::Vector3d& metres);
+Place difference(const Place& a, const Place& b);
 /// A whole number from @p least to @p most.
 int readWhole(char letter, std::string_view number, int least, int most);
 }  // namespace gcode
@@ -55,6 +56,7 @@ public:
   explicit State(const GcodeSetup& setup);
 
   std::optional<GcodeMove> read(const std::string& line);
+  std::size_t line() const { return lines_; }
   GcodeSummary summary() const;
 
 private:

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/common/text.h"
+#include "pkm_workspace/import/rs274.h"
 
 namespace pkm_workspace
 {
@@ -38,39 +39,51 @@ void JobTask::describeTo(PathTask& task)
 
 void JobTask::handOver(const Take& take)
 {
-  GcodeJob reader(setup);
+  const std::unique_ptr<MoveReader> reader = is_for_rs274 ? canonicalMoves(setup) : std::make_unique<GcodeJob>(setup);
   Problems problems;
+  const auto read = [&](const std::string& line, std::size_t number) {
+    if (tell && number % LINES_BETWEEN_PROGRESS == 0)
+      tell(reader->line(), found_.offending());
+    try
+    {
+      const std::optional<GcodeMove> move = reader->read(line);
+      if (move && problems.empty())
+        handOver(*move, reader->line(), take);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      for (const std::string& text : linesOf(reason.what()))
+        problems.push_back(place(reader->line()) + ": " + text);
+    }
+    if (problems.size() >= MOST_JOB_PROBLEMS)
+      throw std::invalid_argument(place(reader->line()) + ": from here on, nothing was read");
+  };
   try
   {
-    read_lines([&](const std::string& line, std::size_t number) {
-      found_.lines = number;
-      if (tell && number % LINES_BETWEEN_PROGRESS == 0)
-        tell(number, found_.offending());
-      try
-      {
-        const std::optional<GcodeMove> move = reader.read(line);
-        if (move && problems.empty())
-          handOver(*move, number, take);
-      }
-      catch (const std::invalid_argument& reason)
-      {
-        for (const std::string& text : linesOf(reason.what()))
-          problems.push_back(place(number) + ": " + text);
-      }
-      if (problems.size() >= MOST_JOB_PROBLEMS)
-        throw std::invalid_argument(place(number) + ": from here on, nothing was read");
-    });
+    found_.lines = readAll(read);
   }
   catch (const std::invalid_argument& reason)
   {
     problems.push_back(reason.what());
   }
-  found_.summary = reader.summary();
+  found_.summary = reader->summary();
   if (problems.empty() && found_.steps == 0)
     problems.push_back(name +
                        ": nothing can be checked: there is no move from a place that is known, or to one; give " +
                        remedies.tool_at + " where the job has relative moves only");
   throwProblems(problems);
+}
+
+std::size_t JobTask::readAll(const LineTaker& read) const
+{
+  if (is_for_rs274)
+    return interpretByRs274({ name, read_lines, setup, is_over, ended_by }, read);
+  std::size_t lines = 0;
+  read_lines([&](const std::string& line, std::size_t number) {
+    lines = number;
+    read(line, number);
+  });
+  return lines;
 }
 
 void JobTask::handOver(const GcodeMove& move, std::size_t line, const Take& take)
@@ -112,6 +125,8 @@ std::string JobTask::remark() const
     say(counted(found_.summary.unknown_moves, "move begins or ends", "moves begin or end") +
         " where the job does not say, the first on " + place(found_.summary.first_unknown) + ": nothing is said of " +
         (found_.summary.unknown_moves == 1 ? "it." : "them."));
+  if (is_for_rs274)
+    say("The moves are those that rs274 prints, whose numbers it rounds to four digits behind the point.");
   if (found_.without_feed > 0)
     say("The speeds of " + counted(found_.without_feed, "rapid move", "rapid moves") +
         " (G0) are not held against a limit: " + remedies.rapid_feed + " gives them one.");

@@ -50,7 +50,7 @@ def cam_job(rng):
     return lines + ["G0 Z1", "G54", "G21", "G1 X10 Y-10.5 F500", "M30", "%"]
 
 
-class Gcode(CommandTest):
+class GcodeTest(CommandTest):
     def job(self, lines, urdf, *options):
         return self.answer("path", "--urdf", urdf, "--gcode", self.file("job.ngc", "\n".join(lines) + "\n"),
                            "--most-listed", 1000000, *options)
@@ -76,33 +76,45 @@ class Gcode(CommandTest):
         t = min(t, 1 - 1e-6)
         return self.violation(move.point(t), move.point(t + 1e-6), move.speed)
 
-    def expect_right(self, lines, urdf, interpreter, *options):
-        """What is listed is bad where it says so; what is not is good at samples. @return lines, offending lines"""
-        answer = self.job(lines, urdf, *options)
+    def set_oracle(self, answer, urdf):
         with open(urdf, encoding="utf-8") as file:
             self.machine_there = oracle.Machine(file.read())
         self.criterion = SimpleNamespace(psi=(answer["psi_min"], answer["psi_max"]), limits=True, aspect="own")
+
+    def expect_good(self, move, place):
+        worst = max(self.violation_at(move, k / SAMPLES) for k in range(SAMPLES + 1))
+        self.assertLessEqual(worst, 1e-4, place)
+
+    def expect_bad(self, move, offence, place, near=1e-12):
+        """@param near how exactly the move is known [m]"""
+        self.assertEqual(offence["verdict"], "outside", place)
+        there = move.point(offence["bad_at"])
+        self.assertLess(math.dist(there, offence["point"]), near, place)
+        self.assertAlmostEqual(offence["tool_speed"], move.speed or 0, delta=near, msg=place)
+        at = [min(1, max(0, offence["bad_at"] + step)) for step in (0, 1e-7)]
+        self.assertGreater(max(self.violation_at(move, t) for t in at), -1e-4, place)
+
+    def expect_right(self, lines, urdf, interpreter, *options):
+        """What is listed is bad where it says so; what is not is good at samples. @return lines, offending lines"""
+        answer = self.job(lines, urdf, *options)
+        self.set_oracle(answer, urdf)
         listed = {offence["line"]: offence for offence in answer["offences"]}
         moves = list(interpreter.run(lines))
         for move in moves:
             offence = listed.pop(move.line, None)
             place = f"seed {SEED}, line {move.line}: {lines[move.line - 1]}"
             if offence is None:
-                worst = max(self.violation_at(move, k / SAMPLES) for k in range(SAMPLES + 1))
-                self.assertLessEqual(worst, 1e-4, place)
-                continue
-            self.assertEqual(offence["verdict"], "outside", place)
-            there = move.point(offence["bad_at"])
-            self.assertLess(math.dist(there, offence["point"]), 1e-12, place)
-            self.assertAlmostEqual(offence["tool_speed"], move.speed or 0, places=12, msg=place)
-            at = [min(1, max(0, offence["bad_at"] + step)) for step in (0, 1e-7)]
-            self.assertGreater(max(self.violation_at(move, t) for t in at), -1e-4, place)
+                self.expect_good(move, place)
+            else:
+                self.expect_bad(move, offence, place)
         self.assertEqual(listed, {}, "lines that are no moves")
         count = sum(not move.is_point for move in moves)
         self.assertEqual((answer["moves"], answer["unknown_moves"]), (count, interpreter.unknown))
         self.assertEqual(answer["outside"], len(answer["offences"]))
         return count, answer
 
+
+class Gcode(GcodeTest):
     def test_a_slicer_s_job(self):
         urdf = self.machine("--uranesx", "--length", 0.24, "--joint-speed-max", 0.2)
         lines = slicer_job(random.Random(SEED), 20000)

@@ -33,7 +33,8 @@ OPTIONS = {
     "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks",
-       "gcode", "origin", "tool-at", "work-offset", "tool-length", "rapid-feed", "most-listed"},
+       "gcode", "interpreter", "origin", "tool-at", "work-offset", "tool-length", "tool-diameter", "rapid-feed",
+       "most-listed"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
                                                      "save", "resume", "list-boxes", "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},

@@ -21,6 +21,7 @@ struct GcodeSetup
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the controller's coordinates (G53), in the root frame
   std::array<Eigen::Vector3d, SYSTEMS> work_offsets = allZero();  ///< of G54 to G59.3, until G10 L2 sets others
   std::map<int, double> tool_lengths = {};                        ///< for G43 H, by number
+  std::map<int, double> tool_diameters = {};                      ///< for G41 D and G42 D, which only rs274 reads
   std::optional<Eigen::Vector3d> start = {};  ///< where the tool is before the job, in the root frame; or unknown
   bool rapids_have_feed = false;              ///< whether G0 goes at the feed in effect, as printers have it
 
@@ -71,19 +72,32 @@ struct GcodeSummary
   bool has_ended = false;                           ///< by M2 or M30
 };
 
-/// Reads a job of G-code line by line: the subset of RS-274 that docs/gcode.md lists. What may move the tool and is not
-/// in the subset is refused.
-class GcodeJob
+/// Reads a job line by line.
+class MoveReader
 {
 public:
-  explicit GcodeJob(const GcodeSetup& setup);
-  ~GcodeJob();
+  virtual ~MoveReader() = default;
 
   /// @return the move that the line makes, if any; none after the end of the job
   /// @throws std::invalid_argument with the reason where the line is refused; the job cannot be checked then, but
   /// further lines can be read
-  std::optional<GcodeMove> read(const std::string& line);
-  GcodeSummary summary() const;
+  virtual std::optional<GcodeMove> read(const std::string& line) = 0;
+  /// The line of the job, from 1 on, that what was read last stands for.
+  virtual std::size_t line() const = 0;
+  virtual GcodeSummary summary() const = 0;
+};
+
+/// Reads the lines of a job of G-code: the subset of RS-274 that docs/gcode.md lists. What may move the tool and is not
+/// in the subset is refused.
+class GcodeJob : public MoveReader
+{
+public:
+  explicit GcodeJob(const GcodeSetup& setup);
+  ~GcodeJob() override;
+
+  std::optional<GcodeMove> read(const std::string& line) override;
+  std::size_t line() const override;
+  GcodeSummary summary() const override;
 
 private:
   class State;

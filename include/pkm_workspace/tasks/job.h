@@ -28,6 +28,9 @@ public:
   std::string name;                                                    ///< of what its lines are of
   std::function<void(const LineTaker& take)> read_lines;               ///< hands out its lines
   GcodeSetup setup;                                                    ///< what it does not say by itself
+  bool is_for_rs274 = false;                                           ///< LinuxCNC's interpreter reads it
+  std::function<bool()> is_over;                                       ///< asked while that runs: whether to give up
+  std::function<std::string()> ended_by;                               ///< what makes it give up
   std::optional<double> rapid_feed;                                    ///< speed of G0 [m/s]
   std::size_t most_listed = 100;                                       ///< lines that are listed
   std::function<void(std::size_t lines, std::size_t offending)> tell;  ///< now and then, if any
@@ -72,6 +75,8 @@ private:
   using Take = std::function<void(const PathStep&)>;
 
   void handOver(const Take& take);
+  /// @return how many lines the job has
+  std::size_t readAll(const LineTaker& read) const;
   void handOver(const GcodeMove& move, std::size_t line, const Take& take);
   Interval speedOf(const GcodeMove& move, const PathSegment& segment) const;
   void keep(const SegmentCheck& check);
