@@ -14,7 +14,7 @@
 
 Lengths are metres, angles radians. Keywords are the fields of the request and of its criterion by their names (psi_min,
 kappa_max, ...), and besides: frame, ratio (least and largest), search_box and box (two corners each), joint_limits and
-hinge_limits as True or False, one number for all legs where there may be three, points and axes as lists of three
+hinge_limits as True or False, tolerances as {"tolerance_length": 1e-4}, one number for all legs where there may be three, points and axes as lists of three
 numbers, set, aspect and psi as text ("dextrous", "own", "auto"). Every call raises TypeError for a keyword that there is
 not and for a value of another type, Refused where the node refuses, with its error_code and message, and
 rospy.ServiceException or rospy.ROSException where there is no node.
@@ -33,7 +33,7 @@ from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
 from pkm_workspace.msg import (ApproximateWorkspaceAction, ApproximateWorkspaceGoal, CriterionRequest, ErrorCode,
                                FindLargestRegionAction, FindLargestRegionGoal, PavingRequest, RegionRequest,
-                               ToolSegment, ToolZone)
+                               Tolerance, ToolSegment, ToolZone)
 from pkm_workspace.srv import (CheckGcode, CheckGcodeRequest, CheckPath, CheckPathRequest, CheckPathResponse, CheckRegion,
                                CheckRegionRequest, ComputeLargestRegion, ComputeWorkspace, EvaluatePoint,
                                EvaluatePointRequest, ExportLimits, ExportLimitsRequest, GetRegion, PlacePath, PlacePathRequest, SetCriterion, SetCriterionRequest)
@@ -100,7 +100,11 @@ def read_value(message, name, value):
         return [each if isinstance(each, kind) else kind(*each) for each in value]
     if name == "zones":
         return list(value)
-    if name in ("joint_limits", "hinge_limits", "own_zones", "turned") and isinstance(value, bool):
+    if name == "tolerances":
+        kinds = value.items() if isinstance(value, dict) else [(each.kind, each.values) for each in value]
+        return [Tolerance(kind=kind, values=[numbers] if isinstance(numbers, (int, float)) else list(numbers))
+                for kind, numbers in kinds]
+    if name in ("joint_limits", "hinge_limits", "own_zones", "own_tolerances", "turned") and isinstance(value, bool):
         return CriterionRequest.ON if value else CriterionRequest.OFF
     if name in CHOICES and isinstance(value, str):
         choice = getattr(CriterionRequest, value.upper(), None)

@@ -31,8 +31,6 @@ constexpr const char* BALL_AXES_HELP =
     "where ball joints are not tilted: along the strut from slider to platform, in the root frame; without it, as at "
     "joint values 0";
 
-constexpr const char* AFTER_URDF = "; after the --urdf it is about";
-
 Quantity quantityOf(const CriterionBound& bound)
 {
   const bool is_positive = bound.least == LEAST_POSITIVE;
@@ -76,9 +74,13 @@ void MachineOptions::declare(Options& options)
   options.text("tool-link", names_.tool_link, "LINK", TOOL_LINK_HELP);
   options.vector("tool", names_.tool, "X Y Z", LENGTH, TOOL_HELP);
   options.legs("ball-axes", "X Y Z", BALL_AXES_HELP, [this](const Words& words) { assign(words, names_.ball_axes); });
-  declareTolerances(options, names_.tolerances);
+  declareTolerances(options, [this]() -> ToleranceWish& { return tolerances_; });
   options.require({ "urdf" });
-  options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" }, [this](Problems& problems) {
+  Words names = { "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" };
+  const Words tolerances = toleranceOptions();
+  names.insert(names.end(), tolerances.begin(), tolerances.end());
+  options.check(names, [this](Problems& problems) {
+    names_.tolerances = tolerances_.both();
     try
     {
       urdf_ = readUrdfFile(path_, names_);
@@ -90,13 +92,18 @@ void MachineOptions::declare(Options& options)
   });
 }
 
+MachinesOptions::Request& MachinesOptions::latest()
+{
+  if (requests_.empty())
+    throw std::invalid_argument("give it after the --urdf FILE that it is about");
+  return requests_.back();
+}
+
 template <class Member>
 std::function<void(const Words&)> MachinesOptions::setterOf(Member member)
 {
   return [this, member](const Words& words) {
-    if (requests_.empty())
-      throw std::invalid_argument("give it after the --urdf FILE that it is about");
-    auto& names = *member(requests_.back().names);
+    auto& names = *member(latest().names);
     if (names != std::decay_t<decltype(names)>())
       throw std::invalid_argument("given a second time for --urdf " + requests_.back().path);
     assign(words, names);
@@ -112,7 +119,9 @@ void MachinesOptions::declareNames(Options& options, const std::string& name, co
 
 void MachinesOptions::declare(Options& options)
 {
-  options.repeated("urdf", "FILE", URDF_HELP, [this](const Words& words) { requests_.push_back({ words[0], {} }); });
+  options.repeated("urdf", "FILE", URDF_HELP, [this](const Words& words) {
+    requests_.push_back({ words[0], {}, {} });
+  });
   declareNames(options, "rails", "JOINT JOINT JOINT", RAILS_HELP, [](UrdfOptions& all) { return &all.rails; });
   declareNames(options, "tcp-links", "LINK LINK LINK", TCP_LINKS_HELP, [](UrdfOptions& all) { return &all.tcp_links; });
   declareNames(options, "tool-link", "LINK", TOOL_LINK_HELP, [](UrdfOptions& all) { return &all.tool_link; });
@@ -121,9 +130,10 @@ void MachinesOptions::declare(Options& options)
   options.repeatedLegs("ball-axes", "X Y Z", std::string(BALL_AXES_HELP) + AFTER_URDF,
                        setterOf([](UrdfOptions& all) { return &all.ball_axes; }));
   options.check({}, [this](Problems& problems) {
-    for (const Request& request : requests_)
+    for (Request& request : requests_)
       try
       {
+        request.names.tolerances = request.tolerances.both();
         machines_.push_back(readUrdfFile(request.path, request.names));
       }
       catch (const std::invalid_argument& reason)

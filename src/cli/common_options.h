@@ -18,6 +18,15 @@ namespace cli
 /// What is in a URDF and not used, and what was made of it that a user may not expect.
 Words remarksOn(const UrdfMachine& urdf);
 
+/// The tolerances that options give one machine: those of a file count where there is no option of their kind.
+struct ToleranceWish
+{
+  GivenTolerances by_option;
+  std::optional<GivenTolerances> by_file;
+
+  GivenTolerances both() const;
+};
+
 /// --urdf, --rails, --tcp-links, --tool-link, --tool: read while the options are, so that all problems are told at
 /// once.
 class MachineOptions
@@ -45,17 +54,22 @@ public:
 private:
   std::string path_;
   UrdfOptions names_;
+  ToleranceWish tolerances_;
   std::optional<UrdfMachine> urdf_;
   bool keeps_out_collisions_ = false;
   Words remarks_;
   Words notes_;
 };
 
+constexpr const char* AFTER_URDF = "; after the --urdf it is about";
+
 /// The same for several machines: --urdf once for each of them, with names of its own after it.
 class MachinesOptions
 {
 public:
   void declare(Options& options);
+  /// After each --urdf, those of its machine.
+  void declareTolerances(Options& options);
   /// In the order given. @pre the options have been parsed
   const std::vector<UrdfMachine>& machines() const { return machines_; }
   /// How many were asked for, read or not.
@@ -67,7 +81,11 @@ private:
   {
     std::string path;
     UrdfOptions names;
+    ToleranceWish tolerances;
   };
+
+  /// The machine that was named last. @throws std::invalid_argument where there is none
+  Request& latest();
 
   /// Sets what @p member names of the machine that was named last.
   template <class Member>
@@ -90,7 +108,10 @@ void declareJointData(Options& options, Criterion& criterion, const std::functio
 void requireEffect(Options& options, const Criterion& criterion);
 
 /// --tolerance-length and so on, --tolerances.
-void declareTolerances(Options& options, Tolerances& tolerances);
+/// @param wish whose they are @param about what is said of that in their help
+void declareTolerances(Options& options, const std::function<ToleranceWish&()>& wish, const std::string& about = "");
+/// Their names.
+Words toleranceOptions();
 
 /// --keep-in, --keep-out, --zones, --tool-radius.
 void declareZones(Options& options, Criterion& criterion);

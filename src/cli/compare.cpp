@@ -131,6 +131,7 @@ public:
   void declare(Options& options) override
   {
     machines_.declare(options);
+    machines_.declareTolerances(options);
     options.flag("paper", paper_, "compares with tables 1 to 4 of the paper, in place of --urdf");
     shape_.declare(options, query_);
     declareCriterion(options, query_.criterion);

@@ -69,6 +69,8 @@ public:
     options.choice("format", format_, firmwareFormats(), "what the file is; without it, recognised from the text");
     options.text("name", name_, "NAME", "name of the machine; without it, the format's name and _delta");
     declareOutput(options, "output", output_, "file to write; without it, standard output");
+    declareTolerances(
+        options, [this]() -> ToleranceWish& { return tolerances_; }, "; written into the URDF");
     options.require({ "file" });
   }
 
@@ -102,6 +104,7 @@ private:
       imported_ = importFirmwareFile(path_, format_);
       if (!name_.empty())
         imported_->machine.name = name_;
+      imported_->machine.tolerances = tolerances_.both().over({});
     }
     return *imported_;
   }
@@ -118,6 +121,7 @@ private:
 
   std::string path_;
   std::string format_;
+  ToleranceWish tolerances_;
   std::string name_;
   std::string output_;
   mutable std::optional<FirmwareMachine> imported_;

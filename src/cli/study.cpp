@@ -68,6 +68,8 @@ public:
     options.choice("parameter", parameter_, { "R-r", "lambda" },
                    "of the uranesx: R - r in metres for L = 1 m, or the paper's lambda in metres, R = 7/13 m + lambda");
     machines_.declare(options);
+    declareTolerances(
+        options, [this]() -> ToleranceWish& { return tolerances_; }, "; of every machine of the family");
     options.range("range", range_, Quantity(), "least and largest parameter, in metres; of a share, without unit");
     options.require({ "range" });
     shape_.declareOfSize(options, query_.region);
@@ -112,7 +114,9 @@ private:
       if (query_.region.ratio)
         problems.push_back("a study compares regions of one shape: give a cylinder the same ratio twice");
     });
-    options.check({ "range", "machine", "parameter", "urdf", "joint-limits" }, [this](Problems& problems) {
+    Words names = toleranceOptions();
+    names.insert(names.end(), { "range", "machine", "parameter", "urdf", "joint-limits" });
+    options.check(names, [this](Problems& problems) {
       try
       {
         makeFamily();
@@ -128,11 +132,13 @@ private:
   void makeFamily()
   {
     query_.range = Interval(range_->lower, range_->upper);
-    if (machines_.machines().size() == 2)
-      query_.family = familyBetween(machines_.machines()[0].machine, machines_.machines()[1].machine,
-                                    query_.region.criterion.joint_limits);
+    const GivenTolerances tolerances = tolerances_.both();
+    if (const auto& ends = machines_.machines(); ends.size() == 2)
+      query_.family =
+          familyBetween(withGivenTolerances(ends[0].machine, tolerances),
+                        withGivenTolerances(ends[1].machine, tolerances), query_.region.criterion.joint_limits);
     else if (!parameter_.empty())
-      query_.family = parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda();
+      query_.family = withinTolerances(parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda(), tolerances);
     else
       return;
     const Machine first = query_.family.at(Interval(range_->lower));
@@ -192,6 +198,9 @@ private:
     return "Largest " + region.shape->name() + " of a machine with " + parameter + " from " +
            exact(query_.range.lower()) + " to " + exact(query_.range.upper()) + unit + "\n\n" +
            aligned(rows, Align::LEFT) + "\n" + table(parts) + wrapped(proof(best)) +
+           wrapped(machine.hasTolerances()
+                       ? "Here a machine has a region when every machine within its tolerances has it."
+                       : "") +
            wrapped(definition(machine, query_.region.criterion)) +
            wrapped(remarkOnLimits(machine, query_.region.criterion, reachOver(region)));
   }
@@ -235,6 +244,7 @@ private:
   std::string machine_;
   std::string parameter_;
   MachinesOptions machines_;
+  ToleranceWish tolerances_;
   std::optional<RatioRange> range_;
   StudyQuery query_;
   ShapeOptions shape_;

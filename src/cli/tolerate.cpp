@@ -48,9 +48,8 @@ public:
       if (!body_.given() && !options.given("shape"))
         problems.push_back("give the region: --sides A B C, --radius R, --radius R --height H, or --shape and --size");
     });
-    Words names = { "urdf", "tolerances" };
-    for (const ToleranceKind& kind : TOLERANCE_KINDS)
-      names.push_back(optionOf(kind.name));
+    Words names = toleranceOptions();
+    names.push_back("urdf");
     options.check(names, [this](Problems& problems) {
       if (!machine_.machine().hasTolerances())
         problems.push_back("give one tolerance at least, such as --tolerance-length 1e-4: they are multiplied");

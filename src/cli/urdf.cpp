@@ -75,7 +75,11 @@ public:
       if (options.given("rail-radius") && given_.lambda)
         problems.push_back("only one of the two can be given");
     });
-    options.check(allNames(), [this, &options](Problems& problems) { make(options, problems); });
+    declareTolerances(
+        options, [this]() -> ToleranceWish& { return tolerances_; }, "; written into the URDF");
+    Words names = allNames(), tolerances = toleranceOptions();
+    names.insert(names.end(), tolerances.begin(), tolerances.end());
+    options.check(names, [this, &options](Problems& problems) { make(options, problems); });
   }
 
   Words warnings() const override { return is_template_ ? Words() : remarksOn(readUrdf(urdf_)); }
@@ -193,7 +197,7 @@ private:
     else if (options.given("from") || is_template_)
       makeFromFile(options, problems);
     else
-      tryTo([this] { urdf_ = writeUrdf(draft_.finished()); }, problems);
+      tryTo([this] { write(draft_.finished()); }, problems);
   }
 
   void makeNamed(const Options& options, Problems& problems)
@@ -209,7 +213,11 @@ private:
     if (differ_)
       problems.push_back("the legs of this machine are alike; give --linear-delta for legs that differ");
     if (problems.empty())
-      tryTo([this] { urdf_ = writeUrdf(makeDriven(namedMachine(machine_), given_)); }, problems);
+      tryTo(
+          [this] {
+            urdf_ = writeUrdf(withGivenTolerances(makeDriven(namedMachine(machine_), given_), tolerances_.both()));
+          },
+          problems);
   }
 
   void makeFromFile(const Options& options, Problems& problems)
@@ -217,7 +225,17 @@ private:
     if (!draft_.isEmpty() || given_.lambda || options.given("name"))
       problems.push_back(std::string("numbers and a machine file cannot be given together: write them into the file"));
     else if (!is_template_)
-      tryTo([this] { urdf_ = writeUrdf(readMachineFile(file_)); }, problems);
+      tryTo([this] { write(readMachineFile(file_)); }, problems);
+    else if (!tolerances_.both().isEmpty())
+      problems.push_back("a machine file to fill in has no tolerances: give them with --from");
+  }
+
+  /// With the tolerances that were given; those that no machine of these numbers has are refused.
+  void write(MachineDescription machine)
+  {
+    machine.tolerances = tolerances_.both().over(machine.tolerances);
+    urdf_ = writeUrdf(machine);
+    readUrdf(urdf_);
   }
 
   static void tryTo(const std::function<void()>& act, Problems& problems)
@@ -241,6 +259,7 @@ private:
   std::string file_;
   Dimensions given_;
   MachineDraft draft_;
+  ToleranceWish tolerances_;
   std::string output_;
   std::string urdf_;
 };

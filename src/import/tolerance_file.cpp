@@ -18,7 +18,7 @@ class ToleranceFileReader : private YamlReader
 public:
   explicit ToleranceFileReader(const std::string& name) : YamlReader(name, "see docs/tolerances.md") {}
 
-  Tolerances read(const std::string& text)
+  GivenTolerances read(const std::string& text)
   {
     MapEntries entries;
     for (const ToleranceKind& kind : TOLERANCE_KINDS)
@@ -37,7 +37,7 @@ private:
       return;
     try
     {
-      setTolerance(kind, numbers, tolerances_);
+      tolerances_.set(kind, numbers);
     }
     catch (const std::invalid_argument& reason)
     {
@@ -45,16 +45,16 @@ private:
     }
   }
 
-  Tolerances tolerances_;
+  GivenTolerances tolerances_;
 };
 }  // namespace
 
-Tolerances readToleranceText(const std::string& text, const std::string& name)
+GivenTolerances readToleranceText(const std::string& text, const std::string& name)
 {
   return ToleranceFileReader(name).read(text);
 }
 
-Tolerances readToleranceFile(const std::string& path)
+GivenTolerances readToleranceFile(const std::string& path)
 {
   return readToleranceText(readWholeFile(path, LARGEST_TOLERANCE_FILE), path);
 }

@@ -187,6 +187,8 @@ std::string differenceOfModes(const SlidingStrut& first, const SlidingStrut& las
 {
   if (first.working_mode != last.working_mode)
     return "have opposite working modes";
+  if (exactText(first.tolerance) != exactText(last.tolerance))
+    return "have different tolerances: give both the same";
   return textOfBallAxes(first) == textOfBallAxes(last) ? "" : "have different ball axes: give both the same";
 }
 

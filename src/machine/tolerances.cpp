@@ -84,6 +84,37 @@ void setTolerance(const ToleranceKind& kind, const std::vector<double>& numbers,
       kind.values(tolerances[leg])[k] = numbers[count == 1 ? 0 : count == 3 ? leg : each * leg + k];
 }
 
+void setTolerance(const ToleranceKind& kind, const std::vector<double>& numbers, StrutTolerance& tolerance)
+{
+  const std::size_t each = perLeg(kind), count = numbers.size();
+  if (count != 1 && count != each)
+    throw std::invalid_argument(std::string(kind.name) + " has " + std::to_string(count) +
+                                " numbers, expected one for a leg" + (each == 3 ? ", or three (x, y, z)" : ""));
+  checkRange(kind, numbers);
+  for (std::size_t k = 0; k < each; ++k)
+    kind.values(tolerance)[k] = numbers[count == 1 ? 0 : k];
+}
+
+void GivenTolerances::set(const ToleranceKind& kind, const std::vector<double>& numbers)
+{
+  Tolerances valid;
+  setTolerance(kind, numbers, valid);
+  numbers_[indexOf(kind)] = numbers;
+}
+
+bool GivenTolerances::isEmpty() const
+{
+  return std::all_of(numbers_.begin(), numbers_.end(), [](const auto& numbers) { return numbers.empty(); });
+}
+
+Tolerances GivenTolerances::over(Tolerances others) const
+{
+  for (const ToleranceKind& kind : TOLERANCE_KINDS)
+    if (has(kind))
+      setTolerance(kind, numbers(kind), others);
+  return others;
+}
+
 std::vector<double> numbersOf(const ToleranceKind& kind, const Tolerances& tolerances)
 {
   const std::vector<double> all = allNumbers(kind, tolerances);
@@ -115,6 +146,11 @@ Machine withTolerances(const Machine& machine, const Tolerances& tolerances)
   for (std::size_t i = 0; i < 3; ++i)
     slidingStrut(legs[i]).tolerance = tolerances[i];
   return { machine.name(), legs, machine.zero() };
+}
+
+Machine withGivenTolerances(const Machine& machine, const GivenTolerances& given)
+{
+  return given.isEmpty() ? machine : withTolerances(machine, given.over(tolerancesOf(machine)));
 }
 
 namespace

@@ -56,6 +56,14 @@ Interval volumeOfAspect(const Machine& machine, Criterion::Aspect aspect, Volume
   wanted.budget = running.rest(paving.boxes_here);
   return setVolume(machine, paving, wanted).volume;
 }
+/// What the volume for these ranges is at least.
+double volumeWithin(const Machine& machine, const std::array<Interval, 3>& ranges, Criterion::Aspect aspect,
+                    const VolumeQuery& wanted)
+{
+  if (std::any_of(ranges.begin(), ranges.end(), [](const Interval& range) { return range.isEmpty(); }))
+    return 0.0;
+  return volumeOfAspect(withJointLimits(machine, ranges), aspect, wanted).lower();
+}
 }  // namespace
 
 JointIntervals equalisedRanges(const std::array<Interval, 3>& least, const std::array<Interval, 3>& strokes)
@@ -99,14 +107,17 @@ RangeWorkspace workspaceOfRanges(const Machine& machine, const RangeQuery& query
 {
   validated(query);
   const Machine limited = withJointLimits(machine, query.ranges.outer);
-  const Interval uncertain = volumeBetween(machine, query.ranges);
+  const Interval uncertain = machine.hasTolerances() ? Interval() : volumeBetween(machine, query.ranges);
   const RunningBudget budget(query.budget);
   const auto volumeOf = [&](bool is_own, double width) {
     VolumeQuery wanted;
     wanted.accuracy = query.accuracy;
     wanted.width = width;
-    wanted.budget = query.budget.inTurns(2.0);
-    const Interval volume = volumeOfAspect(limited, is_own ? Criterion::Aspect::OWN : Criterion::Aspect::OTHER, wanted);
+    wanted.budget = query.budget.inTurns(machine.hasTolerances() ? 4.0 : 2.0);
+    const Criterion::Aspect aspect = is_own ? Criterion::Aspect::OWN : Criterion::Aspect::OTHER;
+    const Interval volume = volumeOfAspect(limited, aspect, wanted);
+    if (machine.hasTolerances())  // a point may be between the ranges on one machine and within them on another
+      return Interval(volumeWithin(machine, query.ranges.inner, aspect, wanted), volume.upper());
     return Interval(std::max(0.0, (volume - uncertain).lower()), volume.upper());
   };
   const bool asks_own = query.aspect == Criterion::Aspect::OWN;

@@ -86,6 +86,12 @@ void ComparisonService::compare(const CompareMachines::Request& request, Compare
   leaveJointsToEach(request.query.criterion, context_.machine(), context_.parameters.query.criterion, query.criterion);
   std::vector<FramedMachine> machines = readMachines(request.urdfs);
   machines.insert(machines.begin(), context_.frames.root());
+  for (FramedMachine& in : machines)
+    if (const std::optional<Machine> asked = machineOf(request.query.criterion, *in.machine))
+    {
+      in.machine = std::make_shared<const Machine>(*asked);
+      in.geometry_hash = asked->geometryHash();
+    }
   const StopFlag stop = context_.worker.makeStopFlag();
   query.budget.stop = stop.get();
   Health::Computation done;

@@ -40,7 +40,7 @@ ConditioningTask ConditioningService::read(const ComputeConditioning::Request& r
 
 void ConditioningService::compute(const ComputeConditioning::Request& request, ComputeConditioning::Response& response)
 {
-  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, request.criterion);
   ConditioningTask task = read(request);
   task.criterion = in.seen(task.criterion);
   const StopFlag stop = context_.worker.makeStopFlag();

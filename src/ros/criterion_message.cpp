@@ -11,6 +11,8 @@
 #include "pkm_workspace/dexterity/fitting_bounds.h"
 #include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/text_stream.h"
+#include "pkm_workspace/machine/ball_axes.h"
+#include "pkm_workspace/machine/tolerances.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/solid_message.h"
 #include "pkm_workspace/ros/zone_message.h"
@@ -163,12 +165,73 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   return valid;
 }
 
+namespace
+{
 BallAxes ballAxesOf(const CriterionRequest& request)
 {
   BallAxes axes;
   for (const geometry_msgs::Vector3& axis : request.ball_axes)
     axes.emplace_back(axis.x, axis.y, axis.z);
   return axes;
+}
+
+void readTolerance(const Tolerance& message, GivenTolerances& given)
+{
+  const ToleranceKind* const kind = toleranceKind(message.kind);
+  if (kind == nullptr)
+  {
+    std::string known;
+    for (const ToleranceKind& one : TOLERANCE_KINDS)
+      known += (known.empty() ? "" : ", ") + std::string(one.name);
+    throw std::invalid_argument("kind = '" + message.kind + "' must be one of " + known);
+  }
+  if (given.has(*kind))
+    throw std::invalid_argument(message.kind + " is listed a second time");
+  if (!message.unit.empty() && message.unit != kind->unit)
+    throw std::invalid_argument(message.kind + " has the unit '" + message.unit + "', expected '" + kind->unit +
+                                "' or none");
+  given.set(*kind, message.values);
+}
+
+Tolerances tolerancesOf(const CriterionRequest& request, const Machine& own)
+{
+  Problems problems;
+  GivenTolerances given;
+  bool counts_own = true;
+  readSwitch("own_tolerances", request.own_tolerances, counts_own, problems);
+  for (std::size_t k = 0; k < request.tolerances.size(); ++k)
+    try
+    {
+      readTolerance(request.tolerances[k], given);
+    }
+    catch (const std::invalid_argument& reason)
+    {
+      problems.push_back("tolerances[" + std::to_string(k) + "]: " + reason.what());
+    }
+  throwProblems(problems);
+  return given.over(counts_own ? tolerancesOf(own) : Tolerances());
+}
+
+bool hasTolerances(const CriterionRequest& request)
+{
+  return !request.tolerances.empty() || request.own_tolerances != CriterionRequest::DEFAULT;
+}
+}  // namespace
+
+std::optional<Machine> machineOf(const CriterionRequest& request, const Machine& own)
+{
+  std::optional<Machine> machine;
+  if (!request.ball_axes.empty())
+    machine = withBallAxes(own, ballAxesOf(request));
+  if (hasTolerances(request))
+    machine = withTolerances(machine ? *machine : own, tolerancesOf(request, own));
+  return machine;
+}
+
+void requireNoTolerances(const CriterionRequest& request, const std::string& remedy)
+{
+  if (hasTolerances(request))
+    throw std::invalid_argument("tolerances must be empty and own_tolerances 0: " + remedy);
 }
 
 void requireNoBallAxes(const CriterionRequest& request, const std::string& remedy)

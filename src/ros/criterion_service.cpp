@@ -20,6 +20,8 @@ CriterionService::CriterionService(NodeContext& context, const std::function<voi
 void CriterionService::set(const SetCriterion::Request& request, SetCriterion::Response& response)
 {
   requireNoBallAxes(request.criterion, "those of the node are its parameter ~ball_axes; set that and call ~reload");
+  requireNoTolerances(request.criterion,
+                      "those of the node are its parameters ~tolerance_length and so on; set these and call ~reload");
   RegionQuery query = context_.query();
   Problems problems;
   query.criterion = fromMessage(request.criterion, context_.machine(), query.criterion, problems);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/reply.h"
 #include "pkm_workspace/ros/worker.h"
 #include "pkm_workspace/version.h"
@@ -137,13 +138,13 @@ void Frames::requireStill(const std::string& frame) const
                       "moves with the machine: name a frame that stands still, such as " + known());
 }
 
-FramedMachine Frames::machineIn(const std::string& name, const BallAxes& ball_axes) const
+FramedMachine Frames::machineIn(const std::string& name, const CriterionRequest& request) const
 {
   const std::string frame = bare(name);
   FramedMachine framed = root_;
-  if (!ball_axes.empty())
+  if (const std::optional<Machine> asked = machineOf(request, *root_.machine))
   {
-    framed.machine = std::make_shared<const Machine>(withBallAxes(*root_.machine, ball_axes));
+    framed.machine = std::make_shared<const Machine>(*asked);
     framed.geometry_hash = framed.machine->geometryHash();
   }
   if (frame.empty() || frame == root_.frame)

@@ -24,6 +24,8 @@ CriterionRequest counted(const CriterionRequest& request)
   counts.strut_stiffness = request.strut_stiffness;
   counts.joint_error_max = request.joint_error_max;
   counts.ball_axes = request.ball_axes;
+  counts.tolerances = request.tolerances;
+  counts.own_tolerances = request.own_tolerances;
   return counts;
 }
 
@@ -77,7 +79,7 @@ GuaranteeTask GuaranteeService::read(const ComputeGuarantees::Request& request, 
 
 void GuaranteeService::compute(const ComputeGuarantees::Request& request, ComputeGuarantees::Response& response)
 {
-  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, request.criterion);
   GuaranteeTask task = read(request, *in.machine);
   const StopFlag stop = context_.worker.makeStopFlag();
   task.query.budget.stop = stop.get();

@@ -79,7 +79,7 @@ Entry zonesOf(Criterion& criterion, Zone::Use use)
   return { "a list of zones", set };
 }
 
-void addTolerances(Tolerances& tolerances, Table& table)
+void addTolerances(GivenTolerances& tolerances, Table& table)
 {
   for (const ToleranceKind& kind : TOLERANCE_KINDS)
   {
@@ -87,7 +87,7 @@ void addTolerances(Tolerances& tolerances, Table& table)
       std::vector<double> numbers(1);
       if (!read(value, numbers[0]) && !read(value, numbers))
         return false;
-      setTolerance(kind, numbers, tolerances);
+      tolerances.set(kind, numbers);
       return true;
     };
     table[kind.name] = { std::string("a number >= 0, or a list of three") + (kind.is_per_axis ? " or nine" : "") +

@@ -53,7 +53,7 @@ PavingService::PavingService(NodeContext& context, SetBelow& below)
 
 PavingQuestion PavingService::read(const PavingRequest& request, double longest) const
 {
-  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, request.criterion);
   return fromMessage(request, in, context_.query().criterion, context_.parameters, longest);
 }
 

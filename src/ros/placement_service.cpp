@@ -76,7 +76,7 @@ PlacementTask PlacementService::read(const PlacePath::Request& request, const Ma
 void PlacementService::compute(const PlacePath::Request& request, PlacePath::Response& response)
 {
   const CheckPath::Request path = pathOf(request);
-  const FramedMachine in = context_.frames.machineIn(frameOf(path), ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn(frameOf(path), request.criterion);
   PlacementTask task = read(request, *in.machine);
   task.query.criterion = in.seen(task.query.criterion);
   task.for_each = [&path](const auto& use) { forEachSegment(path, use); };

@@ -56,7 +56,7 @@ template <class Response>
 PlannerService::EvaluatorPtr PlannerService::prepare(const std::string& frame, const CriterionRequest& request,
                                                      Response& response, JointUse use)
 {
-  const FramedMachine in = context_.frames.machineIn(frame, ballAxesOf(request));
+  const FramedMachine in = context_.frames.machineIn(frame, request);
   response.header = headerOf(in, ros::Time::now());
   return prepare(in, request, response, use);
 }
@@ -148,7 +148,7 @@ void PlannerService::checkGcode(const CheckGcode::Request& request, CheckGcode::
 
 void PlannerService::exportLimits(const ExportLimits::Request& request, ExportLimits::Response& response)
 {
-  const FramedMachine in = context_.frames.machineIn("", ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn("", request.criterion);
   const EvaluatorPtr evaluator = prepare(in, request.criterion, response, JointUse::BOUNDS);
   Problems problems;
   ExportTask task;

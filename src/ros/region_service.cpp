@@ -45,7 +45,7 @@ RegionService::RegionService(NodeContext& context, Tool* tool, Interaction& inte
 
 RegionQuestion RegionService::read(const RegionRequest& request, double longest) const
 {
-  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, ballAxesOf(request.criterion));
+  const FramedMachine in = context_.frames.machineIn(request.header.frame_id, request.criterion);
   RegionQuestion question{ fromMessage(request, context_.machine(), context_.query(), context_.parameters, longest),
                            in };
   question.query.criterion = in.seen(question.query.criterion);

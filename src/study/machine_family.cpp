@@ -86,4 +86,12 @@ MachineFamily familyBetween(const Machine& first, const Machine& last, bool join
             return machine;
           } };
 }
+
+MachineFamily withinTolerances(const MachineFamily& family, const GivenTolerances& tolerances)
+{
+  MachineFamily within = family;
+  if (!tolerances.isEmpty())
+    within.at = [family, tolerances](const Interval& t) { return withGivenTolerances(family.at(t), tolerances); };
+  return within;
+}
 }  // namespace pkm_workspace

@@ -182,6 +182,7 @@ Document readDocument(const std::string& xml, Problems& problems)
   checkCharacters(document.elements, problems);
   checkStructure(robot, problems);
   throwRefusal(problems);
+  document.tolerances = toleranceElements(robot, problems);
   checkJoints(robot, problems, document.warnings);
   for (const auto* const joint : childrenOf(robot, "joint"))
   {

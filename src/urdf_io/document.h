@@ -8,6 +8,7 @@
 #include "notice.h"
 #include "pkm_workspace/common/problems.h"
 #include "placement.h"
+#include "tolerance_elements.h"
 
 namespace pkm_workspace
 {
@@ -22,7 +23,8 @@ struct Document
   std::string elements;                   ///< the elements and attributes of the robot, nothing else: what urdfdom gets
   std::vector<std::string> joints;        ///< names in the order of the file
   std::map<std::string, Origin> origins;  ///< of each joint; urdfdom turns angles into quaternions, and rounds
-  std::vector<Notice> warnings;           ///< elements and attributes of joints that nobody reads
+  std::vector<ToleranceElement> tolerances;
+  std::vector<Notice> warnings;  ///< elements and attributes of joints that nobody reads
 };
 
 /// Parses the text and checks what urdfdom accepts in silence (docs/urdf.md).

@@ -138,12 +138,14 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
 {
   Problems problems;
   checkSingularities(rails, closure.legs, problems);
+  const Tolerances tolerances = options.tolerances.over(tolerancesOf(
+      model.document.tolerances, { rails[0].joint->name, rails[1].joint->name, rails[2].joint->name }, problems));
   throwRefusal(problems);
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
     legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool);
-    slidingStrut(legs[i]).tolerance = options.tolerances[i];
+    slidingStrut(legs[i]).tolerance = tolerances[i];
   }
   setBallAxes(options.ball_axes, legs);
   const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);

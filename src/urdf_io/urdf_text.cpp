@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "number_text.h"
+#include "tolerance_elements.h"
 
 namespace pkm_workspace
 {
@@ -71,6 +72,12 @@ void UrdfText::material(const Material& material)
   open("material", { { "name", material.name } });
   element("color", { { "rgba", material.rgba } });
   printer_.CloseElement();
+}
+
+void UrdfText::tolerances(const Tolerances& tolerances, const std::array<std::string, 3>& rails)
+{
+  for (const Attributes& attributes : toleranceAttributes(tolerances, rails))
+    element(TOLERANCES, attributes);
 }
 
 void UrdfText::comment(const std::string& text)

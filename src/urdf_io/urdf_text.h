@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "looks.h"
+#include "pkm_workspace/machine/tolerances.h"
 #include "placement.h"
 
 namespace pkm_workspace
@@ -47,6 +49,8 @@ public:
   void branch(const JointText& joint, const std::vector<Solid>& solids = {});
   /// A vector of the machine's axes, in those of a link that was written.
   Eigen::Vector3d inLink(const std::string& link, const Eigen::Vector3d& v) const;
+  /// What @p tolerances are given for these joints.
+  void tolerances(const Tolerances& tolerances, const std::array<std::string, 3>& rails);
   /// Ends the robot. @return the whole text
   std::string finish();
 

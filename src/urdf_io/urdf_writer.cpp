@@ -99,7 +99,7 @@ private:
 
 /// The rest of the robot, below its root.
 std::string writeBelow(UrdfText& text, const std::array<LegNumbers, 3>& numbers, const std::array<LegPlaces, 3>& places,
-                       const Looks& looks)
+                       const Looks& looks, const Tolerances& tolerances)
 {
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -108,6 +108,7 @@ std::string writeBelow(UrdfText& text, const std::array<LegNumbers, 3>& numbers,
     leg.writeBars();
   }
   text.branch({ "platform_joint", "fixed", "tcp_1", "platform", {} }, looks.platform);
+  text.tolerances(tolerances, { numbers[0].joint, numbers[1].joint, numbers[2].joint });
   return text.finish();
 }
 
@@ -119,11 +120,12 @@ std::vector<Solid> railsOf(const Looks& looks)
 
 std::string writeUrdf(const Machine& machine)
 {
-  const auto numbers = numbersOf(machine);
+  const auto numbers = numbersOf(withTolerances(machine, {}));
   const Looks looks = looksOf(numbers);
   UrdfText text(machine.name());
   text.link("base_link", railsOf(looks));
-  return writeBelow(text, numbers, { placesOf(numbers[0]), placesOf(numbers[1]), placesOf(numbers[2]) }, looks);
+  return writeBelow(text, numbers, { placesOf(numbers[0]), placesOf(numbers[1]), placesOf(numbers[2]) }, looks,
+                    tolerancesOf(machine));
 }
 
 std::string writeUrdf(const MachineDescription& machine)
@@ -141,6 +143,6 @@ std::string writeUrdf(const MachineDescription& machine)
   }
   else
     text.link("base_link", railsOf(looks));
-  return writeBelow(text, numbers, { legs[0].places, legs[1].places, legs[2].places }, looks);
+  return writeBelow(text, numbers, { legs[0].places, legs[1].places, legs[2].places }, looks, machine.tolerances);
 }
 }  // namespace pkm_workspace

@@ -38,9 +38,9 @@ OPTIONS = {
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
                                                      "save", "resume", "list-boxes", "components"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
-    "compare": (MACHINE - TOLERANCES) | SHARED_CRITERION | BUDGET | COMMON
+    "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
-    "study": (MACHINE - TOLERANCES) | SHARED_CRITERION | BUDGET | COMMON
+    "study": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | {"machine", "parameter", "range", "parts", "accuracy"},
     "singularities": MACHINE | BUDGET | COMMON
     | BODY | {"center", "aspect", "joint-limits", "accuracy"},
@@ -50,9 +50,9 @@ OPTIONS = {
     | {"center", "aspect", "accuracy", "quantity"},
     "tolerate": MACHINE | CRITERION | BUDGET | COMMON | BODY | {"center", "accuracy"},
     "export": MACHINE | CRITERION | COMMON | BODY | {"time-limit", "center", "format", "top-by-slicer", "output"},
-    "import": COMMON | {"file", "format", "name", "output"},
-    "urdf": COMMON | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda", "output",
-                      "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
+    "import": COMMON | TOLERANCES | {"file", "format", "name", "output"},
+    "urdf": COMMON | TOLERANCES | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda",
+                      "output", "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
                       "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode",
                       "joint-speed-max", "joint-effort-max", "tool",
                       "mount", "mount-rpy", "assembly"},

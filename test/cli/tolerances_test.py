@@ -75,6 +75,58 @@ class Tolerances(CommandTest):
             self.assertLess(robust["psi_bounds"][k][0], exact["psi_bounds"][k][0])
             self.assertGreater(robust["psi_bounds"][k][1], exact["psi_bounds"][k][1])
 
+    def test_an_option_counts_in_place_of_the_file(self):
+        name = self.file("built.yaml", "tolerance_slider: 1e-4\ntolerance_length: 3e-4\n")
+        file, option = ("--tolerances", name), ("--tolerance-length", 1e-4)
+        for words in ((*file, *option), (*option, *file)):
+            self.assertEqual(self.ask("largest", *words)["tolerances"],
+                             {"tolerance_slider": [1e-4], "tolerance_length": [1e-4]})
+        self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerances", name, "--tolerances", name), "a second time")
+
+    def test_the_urdf_has_them(self):
+        given = ("--tolerance-length", 1e-4, "--tolerance-slider", 1e-4, 0, 0)
+        built = self.machine("--machine", "orthoglide", *given)
+        asked, read = self.ask("largest", *given), self.answer("largest", "--urdf", built)
+        for answer in (asked, read):
+            answer.pop("seconds")
+        self.assertEqual(asked, read)
+        off = self.answer("largest", "--urdf", built, "--tolerance-length", 0, "--tolerance-slider", 0)
+        self.assertNotIn("tolerances", off)
+        self.assertEqual(off["size"], self.ask("largest")["size"])
+        tolerated = self.answer("tolerate", "--urdf", built, *PLACE)
+        self.assertGreater(tolerated["holds"], 100)
+        delta = self.machine("--linear-delta", "--rail-radius", 0.13, "--platform-radius", 0.03, "--length", 0.269,
+                             "--travel", 0, 0.35, "--tolerance-direction", 1e-3)
+        self.assertEqual(self.answer("evaluate", "--urdf", delta, "--point", 0, 0, 0)["tolerances"],
+                         {"tolerance_direction": [1e-3]})
+        self.refused(("urdf", "--machine", "orthoglide", "--tolerance-length", 0.5), "a tenth of the strut's length")
+        self.refused(("urdf", "--template", "--tolerance-length", 1e-4), "give them with --from")
+
+    def test_compares_machines_within_their_own(self):
+        words = ("compare", "--accuracy", 0.01, "--urdf", ORTHOGLIDE, "--urdf", ORTHOGLIDE, "--tolerance-length", 5e-3)
+        exact, robust = self.answer(*words)["machines"]
+        self.assertNotIn("tolerances", exact)
+        self.assertEqual(robust["tolerances"], {"tolerance_length": [5e-3]})
+        self.assertLess(robust["size_upper_bound"], exact["size"])
+        self.assertLessEqual(robust["size"], self.ask("largest", "--tolerance-length", 5e-3)["size_upper_bound"])
+        self.assertIs(robust["singularities"]["region"]["parallel"]["exists"], False)
+        self.refused(("compare", "--tolerance-length", 1e-4, "--urdf", ORTHOGLIDE), "give it after the --urdf")
+        self.refused((*words, "--tolerance-length", 1e-4), "a second time for the same machine")
+
+    def test_studies_machines_within_the_same(self):
+        words = ("study", "--machine", "uranesx", "--parameter", "R-r", "--range", 0.4, 0.44, "--shape", "square",
+                 "--accuracy", 2e-3)
+        exact, robust = self.answer(*words), self.answer(*words, "--tolerance-length", 5e-3)
+        self.assertEqual((exact["status"], robust["status"]), ("proven", "proven"))
+        self.assertLess(robust["size_upper_bound"], exact["size"])
+        self.assertEqual(robust["tolerances"], {"tolerance_length": [5e-3]})
+        text = " ".join(self.text(*words, "--tolerance-length", 1e-3).split())
+        self.assertIn("Here a machine has a region when every machine within its tolerances has it.", text)
+        built = self.machine("--machine", "orthoglide", "--tolerance-length", 1e-4)
+        ends = ("study", "--urdf", ORTHOGLIDE, "--urdf", built, "--range", 0, 1, "--accuracy", 0.05)
+        self.refused(ends, "have different tolerances: give both the same")
+        self.assertEqual(self.answer(*ends, "--tolerance-length", 1e-4)["tolerances"], {"tolerance_length": [1e-4]})
+
     def test_tolerate(self):
         words = ("--center", 0.0862, 0.0862, 0.0862, "--sides", 0.64, 0.64, 0.64)
         found = self.ask("tolerate", *words, *SOME)

@@ -110,6 +110,20 @@ class ClientsTest(unittest.TestCase):
         self.assertEqual(list(tilted.strut_tilt_max), [0.3, 0.4, 0.5])
         self.assertEqual([axis.x for axis in tilted.ball_axes], [1, 0, 0])
 
+    def test_asks_of_all_machines_within_tolerances(self):
+        built = {"tolerance_length": 1e-3, "tolerance_slider": [1e-3, 0, 0]}
+        exact = self.machine.largest_region(accuracy=0.001)
+        robust = self.machine.largest_region(accuracy=0.001, tolerances=built)
+        self.assertLess(robust.size_upper_bound, exact.size)
+        self.assertEqual([(it.kind, list(it.values)) for it in robust.hypotheses.tolerances],
+                         [("tolerance_length", [1e-3]), ("tolerance_slider", [1e-3, 0, 0])])
+        box = SolidPrimitive(SolidPrimitive.BOX, [0.2, 0.2, 0.2])
+        with self.assertRaisesRegex(Refused, "believes the tool to be"):
+            self.machine.export_limits("linuxcnc", (0.1, 0, 0), box, tolerances=built)
+        with self.assertRaisesRegex(Refused, "~reload"):
+            self.machine.set_criterion(tolerances=built)
+        self.assertEqual(self.machine.evaluate((0, 0, 0), own_tolerances=False).hypotheses.tolerances, [])
+
     def test_sets_the_criterion(self):
         self.assertEqual(self.machine.set_criterion(psi_min=0.4, accuracy=0.02).psi_min, 0.4)
         said = self.machine.largest_region().hypotheses

@@ -3,6 +3,7 @@
 
 #include "node_client.h"
 #include "pkm_workspace/machine/catalogue.h"
+#include "pkm_workspace/machine/tolerances.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 
 namespace pkm_workspace
@@ -37,6 +38,24 @@ TEST(CompareMachines, tellsTheNodesMachineBesideAnother)
   EXPECT_EQ(3, figure(own, "region_volume").power);
   EXPECT_NEAR(0.2, compared.machines[1].region.size, 1e-3);
   EXPECT_EQ(own.figures.size(), compared.machines[1].figures.size());
+}
+
+TEST(CompareMachines, tellsOfAllMachinesWithinTolerances)
+{
+  CompareMachines::Request request;
+  Tolerances some;
+  setTolerance(*toleranceKind("tolerance_length"), { 5e-3 }, some);
+  request.urdfs = { writeUrdf(withTolerances(orthoglide(), some)) };
+  request.query.accuracy = 1e-3;
+  const auto own = call<CompareMachines>("compare_machines", request);
+  ASSERT_EQ(ErrorCode::SUCCESS, own.error_code) << own.message;
+  EXPECT_TRUE(own.machines[0].region.hypotheses.tolerances.empty());
+  ASSERT_EQ(1U, own.machines[1].region.hypotheses.tolerances.size());
+  EXPECT_LT(own.machines[1].region.size_upper_bound, own.machines[0].region.size);
+  request.query.criterion.own_tolerances = CriterionRequest::OFF;
+  const auto none = call<CompareMachines>("compare_machines", request);
+  EXPECT_TRUE(none.machines[1].region.hypotheses.tolerances.empty());
+  EXPECT_EQ(none.machines[0].region.size, none.machines[1].region.size);
 }
 
 TEST(CompareMachines, namesEachOneThatIsNone)

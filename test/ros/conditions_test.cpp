@@ -112,6 +112,56 @@ TEST(Conditions, countTiltsFromTheAxesOfTheRequest)
   expectRefusal(compute(query), "ball_axes must be empty unless ball_tilt_max is asked for");
 }
 
+TEST(Conditions, holdForAllMachinesWithinTheTolerancesOfTheRequest)
+{
+  RegionRequest query;
+  query.accuracy = 1e-4;
+  const auto exact = compute(query);
+  query.criterion.tolerances.resize(2);
+  query.criterion.tolerances[0].kind = "tolerance_slider";
+  query.criterion.tolerances[0].values = { 1e-4 };
+  query.criterion.tolerances[1].kind = "tolerance_length";
+  query.criterion.tolerances[1].values = { 1e-4, 1e-4, 1e-4 };
+  query.criterion.tolerances[1].unit = "m";
+  const auto robust = compute(query);
+  expectProven(robust);
+  EXPECT_LT(robust.region.size_upper_bound, exact.region.size);
+  EXPECT_LE(robust.region.size, 0.6436538);
+  EXPECT_GE(robust.region.size_upper_bound, 0.6436518);
+  ASSERT_EQ(2U, robust.region.hypotheses.tolerances.size());
+  EXPECT_EQ("tolerance_length", robust.region.hypotheses.tolerances[0].kind);
+  EXPECT_NE(exact.region.hypotheses.geometry_hash, robust.region.hypotheses.geometry_hash);
+  EXPECT_EQ(0U, compute(RegionRequest()).region.hypotheses.tolerances.size()) << "a request changes the node";
+  query.criterion.tolerances[0].values = { 0.0 };
+  query.criterion.tolerances[1].values = { 0.0 };
+  EXPECT_EQ(exact.region.size, compute(query).region.size);
+}
+
+TEST(Conditions, nameWhatIsWrongWithTolerances)
+{
+  RegionRequest query;
+  query.criterion.tolerances.resize(2);
+  query.criterion.tolerances[0].kind = "length";
+  query.criterion.tolerances[1].kind = "tolerance_length";
+  query.criterion.tolerances[1].values = { -1e-4 };
+  query.criterion.own_tolerances = 3;
+  const auto refused = compute(query);
+  expectRefusal(refused, "own_tolerances = 3 must be DEFAULT = 0, ON = 1 or OFF = 2");
+  expectRefusal(refused, "tolerances\\[0\\]: kind = 'length' must be one of tolerance_length, ");
+  expectRefusal(refused, "tolerances\\[1\\]: tolerance_length = -0.0001 m must be from 0 to 1000 m");
+  query.criterion.own_tolerances = 0;
+  query.criterion.tolerances[0] = query.criterion.tolerances[1];
+  query.criterion.tolerances[0].values = { 1e-4 };
+  expectRefusal(compute(query), "tolerance_length is listed a second time");
+  query.criterion.tolerances.resize(1);
+  query.criterion.tolerances[0].unit = "mm";
+  expectRefusal(compute(query), "tolerance_length has the unit 'mm', expected 'm' or none");
+  query.criterion.tolerances[0] = Tolerance();
+  expectRefusal(compute(query), "kind = '' must be one of");
+  query.criterion.tolerances[0].kind = "tolerance_zero";
+  expectRefusal(compute(query), "tolerance_zero has 0 numbers");
+}
+
 TEST(Conditions, areRefusedWhereSomethingIsMissing)
 {
   RegionRequest query;

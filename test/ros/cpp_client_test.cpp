@@ -35,6 +35,10 @@ TEST(Client, takesFieldsByName)
   const Region near = machine.largestRegion(with::search_box({ 0, 0, 0 }, { 0.05, 0.05, 0.05 }), with::accuracy(0.01));
   EXPECT_LE(near.center.x, 0.05);
   EXPECT_EQ(machine.OUTSIDE, machine.checkBox({ 0, 0, 0 }, { 0.1, 0.1, 0.1 }, with::psi_max(1.001)).verdict);
+  const auto tolerated = machine.evaluate({ 0, 0, 0 }, with::tolerances({ { "tolerance_zero", { 1e-3 } } }));
+  ASSERT_EQ(1U, tolerated.hypotheses.tolerances.size());
+  EXPECT_EQ(1e-3, tolerated.hypotheses.tolerances[0].values.at(0));
+  EXPECT_EQ(0U, machine.evaluate({ 0, 0, 0 }, with::own_tolerances(false)).hypotheses.tolerances.size());
   EXPECT_EQ(0.0, machine.evaluate({ 0, 0, 0 }, with::set(CriterionRequest::REACHABLE)).hypotheses.psi_min);
   EXPECT_GT(machine.workspace(with::box({ 0, 0, 0 }, { 0.1, 0.1, 0.1 }), with::resolution(0.05)).volume_lower_bound, 0);
 }

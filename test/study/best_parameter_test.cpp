@@ -194,4 +194,30 @@ TEST(BestParameter, progressIsABracketOfTheAnswerAllTheWay)
     EXPECT_GE(progress.size_upper_bound, best.region.size);
   }
 }
+
+// Every member stands for all machines within tolerances: the robust squares of single members, by themselves.
+TEST(BestParameter, ofMachinesWithinTolerances)
+{
+  GivenTolerances given;
+  given.set(*toleranceKind("tolerance_length"), { 4e-3 });
+  given.set(*toleranceKind("tolerance_slider"), { 2e-3 });
+  StudyQuery query = squares(0.4, 0.44, 2e-3);
+  const BestParameter exact = findBestParameter(query);
+  query.family = withinTolerances(query.family, given);
+  const BestParameter best = findBestParameter(query);
+  EXPECT_EQ(best.region.status, LargestRegion::Status::PROVEN) << best.region.message;
+  EXPECT_LT(best.region.size_upper_bound, exact.region.size);
+  test::Random random(test::SEED);
+  for (int k = 0; k < 12; ++k)
+  {
+    const double parameter = k == 0 ? 0.4 : random.uniform(0.4, 0.44);
+    const double size = largestAt(query, parameter).size;
+    EXPECT_LE(size, best.region.size_upper_bound) << "R - r = " << parameter;
+    if (!mayBeLarger(best, parameter))
+    {
+      EXPECT_LE(size, best.region.size) << "R - r = " << parameter;
+    }
+  }
+  EXPECT_NEAR(largestAt(query, best.parameter).size, best.region.size, 2e-3);
+}
 }  // namespace pkm_workspace

@@ -93,4 +93,18 @@ TEST(MachineFamily, membersOfTheOtherAspectAreRefusedSoThatNoPartSpeaksForThem)
   for (const Interval& share : { Interval(0.5), Interval(0.0, 1.0) })
     test::expectThrow<std::invalid_argument>([&] { family.at(share); }, "share 0.5.* opposite aspect");
 }
+
+TEST(MachineFamily, membersMayStandForAllWithinTolerances)
+{
+  GivenTolerances given;
+  given.set(*toleranceKind("tolerance_length"), { 1e-4 });
+  const MachineFamily family = withinTolerances(uranesxByRadius(), given);
+  EXPECT_EQ(tolerancesOf(family.at(Interval(0.3, 0.31)))[1].length, 1e-4);
+  EXPECT_EQ(withinTolerances(uranesxByRadius(), {}).at(Interval(0.3)).geometryHash(),
+            uranesxByRadius().at(Interval(0.3)).geometryHash());
+  const Machine tolerated = withGivenTolerances(orthoglide(), given);
+  EXPECT_EQ(tolerancesOf(familyBetween(tolerated, tolerated).at(Interval(0.5)))[2].length, 1e-4);
+  test::expectThrow<std::invalid_argument>([&] { familyBetween(orthoglide(), tolerated); },
+                                           "have different tolerances: give both the same");
+}
 }  // namespace pkm_workspace

@@ -10,8 +10,8 @@ namespace pkm_workspace
 /// Reads the text of a file in YAML: the names of TOLERANCE_KINDS, each with one number or a list.
 /// @param name of the file, for places
 /// @throws std::invalid_argument naming everything that is wrong, each with file and line
-Tolerances readToleranceText(const std::string& text, const std::string& name);
+GivenTolerances readToleranceText(const std::string& text, const std::string& name);
 
 /// Reads the file, then as above.
-Tolerances readToleranceFile(const std::string& path);
+GivenTolerances readToleranceFile(const std::string& path);
 }  // namespace pkm_workspace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pkm_workspace/common/problems.h"
+#include "pkm_workspace/machine/tolerances.h"
 
 namespace pkm_workspace
 {
@@ -46,6 +47,7 @@ struct MachineDescription
   std::array<LegDescription, 3> legs;
   Eigen::Vector3d tool = Eigen::Vector3d::Zero();  ///< the tool point, seen from the platform's middle [m]
   bool is_upper = false;                           ///< of two assemblies in these working modes, the upper one
+  Tolerances tolerances;                           ///< by how much what was built may differ
   std::optional<Mount> mount;                      ///< of the machine's frame "base_link" in the frame "world"
 
   /// Appends a sentence for each number that no machine has.

@@ -33,6 +33,29 @@ const ToleranceKind* toleranceKind(const std::string& name);
 /// @throws std::invalid_argument for another count of numbers, or one out of range
 void setTolerance(const ToleranceKind& kind, const std::vector<double>& numbers, Tolerances& tolerances);
 
+/// The same of one leg alone: one number, or x, y, z.
+void setTolerance(const ToleranceKind& kind, const std::vector<double>& numbers, StrutTolerance& tolerance);
+
+/// Tolerances as somebody gives them in place of others (docs/tolerances.md): a kind that is not given stays as it was.
+class GivenTolerances
+{
+public:
+  /// @throws std::invalid_argument as setTolerance() does
+  void set(const ToleranceKind& kind, const std::vector<double>& numbers);
+  bool has(const ToleranceKind& kind) const { return !numbers(kind).empty(); }
+  /// As they were given; none where the kind was not.
+  const std::vector<double>& numbers(const ToleranceKind& kind) const { return numbers_[indexOf(kind)]; }
+  bool isEmpty() const;
+  Tolerances over(Tolerances others) const;
+
+private:
+  static std::size_t indexOf(const ToleranceKind& kind)
+  {
+    return static_cast<std::size_t>(&kind - TOLERANCE_KINDS.data());
+  }
+  std::array<std::vector<double>, 7> numbers_;
+};
+
 /// Its numbers: as few of them as say the same, so one or three (a leg each), or nine.
 std::vector<double> numbersOf(const ToleranceKind& kind, const Tolerances& tolerances);
 
@@ -42,6 +65,9 @@ bool areZero(const Tolerances& tolerances);
 /// All machines within tolerances of this one, whose own ones are left out.
 /// @throws std::invalid_argument where one of them has no zero configuration, or a singular one
 Machine withTolerances(const Machine& machine, const Tolerances& tolerances);
+
+/// The machine with those that are given in place of its own. @throws std::invalid_argument as above
+Machine withGivenTolerances(const Machine& machine, const GivenTolerances& given);
 
 /// One machine within the tolerances of this one, which has none itself.
 /// @param parameters as ParameterSet counts them, leg by leg @throws std::invalid_argument where it is singular at zero

@@ -5,6 +5,8 @@
 #include <pkm_workspace/ToolZone.h>
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "pkm_workspace/ros/client_fields.h"
@@ -129,6 +131,22 @@ inline auto tool_radius(double value)
 inline auto hinge_limits(bool on)
 {
   return [on](auto& request) { request.criterion.hinge_limits = on ? CriterionRequest::ON : CriterionRequest::OFF; };
+}
+/// In place of the node's own of these kinds, such as { "tolerance_length", { 1e-4 } } [m, rad].
+inline auto tolerances(const std::map<std::string, std::vector<double>>& kinds)
+{
+  return [kinds](auto& request) {
+    for (const auto& [kind, values] : kinds)
+    {
+      request.criterion.tolerances.emplace_back();
+      request.criterion.tolerances.back().kind = kind;
+      request.criterion.tolerances.back().values = values;
+    }
+  };
+}
+inline auto own_tolerances(bool on)
+{
+  return [on](auto& request) { request.criterion.own_tolerances = on ? CriterionRequest::ON : CriterionRequest::OFF; };
 }
 }  // namespace with
 }  // namespace pkm_workspace

@@ -35,10 +35,13 @@ enum class JointUse
 Criterion fromMessage(const CriterionRequest& request, const Machine& machine, const Criterion& defaults,
                       Problems& problems, JointUse use = JointUse::BOUNDS);
 
-/// The axes of ball joints that a request gives.
-BallAxes ballAxesOf(const CriterionRequest& request);
-/// @throws std::invalid_argument where a request gives any that cannot have them, with what is to be done
+/// The machine with what a request says of it, ball axes and tolerances, in place of its own; nothing where it says
+/// none of that. @throws std::invalid_argument for what no machine has
+std::optional<Machine> machineOf(const CriterionRequest& request, const Machine& own);
+/// @throws std::invalid_argument where a request gives ball axes that cannot have them, with what is to be done
 void requireNoBallAxes(const CriterionRequest& request, const std::string& remedy);
+/// The same of tolerances.
+void requireNoTolerances(const CriterionRequest& request, const std::string& remedy);
 
 /// Takes what a criterion has from the URDF of one machine's joints out again, so that each of several machines counts
 /// with its own. @param given by the node's parameters; what they or the request give stays

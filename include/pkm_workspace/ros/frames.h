@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pkm_workspace/CriterionRequest.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
@@ -46,10 +47,10 @@ public:
   const FramedMachine& root() const { return root_; }
   /// The machine in a frame, as it stands there now. Waits up to a second for a frame that is not known: a worker
   /// serves others meanwhile, of whom none may wait. So what a worker's callbacks share is looked at after this call.
-  /// @param name empty: the root's @param ball_axes in place of the machine's own, in the frame of the root link
+  /// @param name empty: the root's @param request what it says of the machine counts in place of the machine's own
   /// @throws Refusal that names the frames there are, also for those that the machine moves; std::invalid_argument for
-  /// axes that are none
-  FramedMachine machineIn(const std::string& name, const BallAxes& ball_axes = {}) const;
+  /// what no machine has
+  FramedMachine machineIn(const std::string& name, const CriterionRequest& request = CriterionRequest()) const;
 
   /// A point of a frame in the frame of the root link [m], by floating point. Does not wait.
   /// @throws Refusal that names the frames there are

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "pkm_workspace/machine/machine.h"
+#include "pkm_workspace/machine/tolerances.h"
 
 namespace pkm_workspace
 {
@@ -29,6 +29,9 @@ MachineFamily uranesxByLambda();
 /// rails made to unit length; the parameter t has no unit.
 /// @param joint_limits whether joint limits will be asked for: they must be the same then, as a limit is no number that
 /// could be enclosed; where they are not, the joint has none
-/// @throws std::invalid_argument when their working modes, aspects, or limits that matter differ
+/// @throws std::invalid_argument when their working modes, aspects, tolerances, or limits that matter differ
 MachineFamily familyBetween(const Machine& first, const Machine& last, bool joint_limits = false);
+
+/// The same family, where each member stands for all machines within tolerances of it, given in place of its own.
+MachineFamily withinTolerances(const MachineFamily& family, const GivenTolerances& tolerances);
 }  // namespace pkm_workspace

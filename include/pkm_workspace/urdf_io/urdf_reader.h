@@ -37,9 +37,9 @@ struct UrdfOptions
   /// Of the ball joints (~ball_axes): along each leg's strut from slider to platform where they are not tilted, in the
   /// root frame, of any length; one for all legs or one for each. Empty: as the struts are at joint values 0.
   BallAxes ball_axes = {};
-  /// By how much what was built may differ from the URDF (~tolerance_length and so on): answers are about all such
-  /// machines.
-  Tolerances tolerances = {};
+  /// By how much what was built may differ from the URDF (~tolerance_length and so on), in place of what its element
+  /// <pkm_tolerances> says: answers are about all such machines.
+  GivenTolerances tolerances = {};
 };
 
 /// How the value of one joint follows from another: value = factor * (value of source) + offset [m, rad].
