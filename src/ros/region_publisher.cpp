@@ -69,12 +69,16 @@ void RegionPublisher::draw(const RegionQuestion& question, const Region& region,
   context_.panel.tell("region", shown.markers.front().text, set ? set->legend() : Legend());
 }
 
-/// Across parallel rails the plane of the region's center.
+/// Across parallel rails, of a flat region or where nothing ends the set along them, the plane of the region's center.
 Box RegionPublisher::pavedBox(const RegionQuestion& question, const Region& region)
 {
   const Machine& machine = *question.in.machine;
   if (machine.hasParallelRails())
   {
+    const Box all = boundsOfSet(machine, question.query.criterion);
+    const bool is_flat = question.query.shape->volume(1.0).upper() == 0.0;
+    if (!is_flat && (all.upper - all.lower).allFinite())
+      return all;
     const int axis = mainAxisOfRails(machine);
     const Eigen::Vector3d center = region.size > 0.0 ? fromMessage(region.center) : machine.zero();
     return boundsAcrossRails(machine, question.query.criterion, axis, center[axis]);

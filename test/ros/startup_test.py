@@ -17,6 +17,7 @@ from node_process import NAME, PATIENCE, NodeProcess, slants, urdf, wait_until
 from visualization_msgs.msg import MarkerArray
 
 NAN = float("nan")
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
 
 BAD_PARAMETERS = [
     ({"shape": "blob"}, r"shape = 'blob' must be cube, square, box, sphere, disc, cylinder or polytope"),
@@ -183,12 +184,17 @@ class StartupTest(unittest.TestCase):
             self.assertEqual(len(both.machines), 2, both.message)
 
     def test_shows_the_surface_of_the_set_or_its_boxes_and_why(self):
-        for parameters, said, least, most in (
-                ({}, "surface of the set at resolution ", 1000, 1e6),
-                ({"set_style": "boxes"}, "set at resolution 0.05 m: ", 0, 0),
-                ({"paving_resolution": 20.0},
+        delta = (DATA / "delta_cnc.urdf").read_text()
+        for machine, parameters, said, least, most in (
+                (delta, {"psi": "auto"}, "surface of the set at resolution ", 1000, 1e6),
+                (delta, {"psi": "auto", "shape": "disc"}, "set at resolution ", 0, 0),
+                (delta, {"psi": "auto", "joint_limits": False, "shape": "cylinder", "height": 0.1},
+                 "set at resolution ", 0, 0),
+                (urdf("orthoglide"), {}, "surface of the set at resolution ", 1000, 1e6),
+                (urdf("orthoglide"), {"set_style": "boxes"}, "set at resolution 0.05 m: ", 0, 0),
+                (urdf("orthoglide"), {"paving_resolution": 20.0},
                  "the set is shown by boxes, without its surface: nothing is left of it at a resolution of 20", 0, 0)):
-            with NodeProcess(urdf("orthoglide"), parameters) as node:
+            with NodeProcess(machine, parameters) as node:
                 node.wait_for_output(said)
                 shown = []
                 wait_until(lambda: shown.append(rospy.wait_for_message(f"{NAME}/markers", MarkerArray, PATIENCE))
