@@ -10,6 +10,7 @@ int main(int argc, char** argv)
   pkm_workspace::bench::addPavingRows();
   pkm_workspace::bench::addBusyRows();
   pkm_workspace::bench::addPathRows();
+  pkm_workspace::bench::addPlacementRows();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;

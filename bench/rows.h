@@ -42,5 +42,7 @@ void addPavingRows();
 void addBusyRows();
 /// Paths of many segments with what the machine does along them, and single points.
 void addPathRows();
+/// Where a path and a part fit with the largest margin.
+void addPlacementRows();
 }  // namespace bench
 }  // namespace pkm_workspace

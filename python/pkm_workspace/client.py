@@ -135,7 +135,7 @@ def fill(message, criterion=None, frame="", **fields):
         elif name in CriterionRequest.__slots__:
             setattr(message.criterion, name, read_value(message.criterion, name, value))
         else:
-            raise TypeError(f"{name} is no field of a {type(message).__name__}; these are: "
+            raise TypeError(f"{name} is not a field of {type(message).__name__}; these are: "
                             + ", ".join([*own, *CriterionRequest.__slots__]))
     try:
         message._check_types()
@@ -274,7 +274,8 @@ class Client:
         return self.call("check_gcode", CheckGcode, fill(CheckGcodeRequest(gcode=gcode), criterion, frame, **fields))
 
     def export_limits(self, form, center, solid, criterion=None, **fields):
-        """The limits of a region that is proved, in the words of a firmware: klipper, marlin, reprapfirmware or linuxcnc."""
+        """The limits of a region that is proved, in the words of a firmware: klipper, marlin, reprapfirmware or linuxcnc.
+        Its keywords: origin (the controller's zero), top_by_slicer, max_boxes."""
         return self.call("export_limits", ExportLimits,
                          fill(ExportLimitsRequest(format=form, solid=solid), criterion, center=center, **fields))
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <stdexcept>
 
 #include "command.h"
@@ -19,6 +20,26 @@ std::string nameOf(ConnectionReport::Verdict verdict)
   return NAMES[static_cast<std::size_t>(verdict)];
 }
 
+/// How far joints are moved into limits at which the zero configuration stands, over the longest strut: rounding has it
+/// on either side of them.
+constexpr double INTO_LIMITS = 1e-9;
+
+/// The zero configuration, with its joints within their limits if they are nearly.
+Eigen::Vector3d startOf(const Machine& machine, const Criterion& criterion)
+{
+  const double step = INTO_LIMITS * machine.scale();
+  Eigen::Vector3d joints = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3 && criterion.joint_limits; ++i)
+  {
+    const Interval& limits = machine.leg(i).limits;
+    if (std::abs(limits.lower()) <= step)
+      joints[i] = step;
+    else if (std::abs(limits.upper()) <= step)
+      joints[i] = -step;
+  }
+  return joints.isZero(0.0) ? machine.zero() : forwardKinematics(machine, joints).value_or(machine.zero());
+}
+
 class Connect : public Command
 {
 public:
@@ -28,7 +49,8 @@ public:
            "connected: a path of straight lines is given, and every point of it is proved to be in the set. apart: "
            "proved that no path in the set joins the points. outside: one of them is proved not to be in the set. "
            "open: not decided, at the finest resolution or when a limit ended it. Without --from it starts at the zero "
-           "configuration. With --json: verdict, path (a list of points [m], or null), resolution [m], boxes, seconds.";
+           "configuration, or within a millionth of a strut from it where that is what keeps joints within limits that "
+           "begin there. With --json: verdict, path (a list of points [m], or null), resolution [m], boxes, seconds.";
   }
 
   Words examples() const override
@@ -60,9 +82,11 @@ public:
     const Machine& machine = machine_.machine();
     const Progress progress(progress_);
     task_.query.budget.stop = stopOnSignal();
-    task_.from = from_.value_or(machine.zero());
+    task_.from = from_ ? *from_ : startOf(machine, task_.query.criterion);
     task_.to = *to_;
-    const ConnectionReport report = connect(machine, task_);
+    ConnectionReport report = connect(machine, task_);
+    if (!from_ && report.bad_point == task_.from)
+      report.message += " That is where it starts without --from, the zero configuration: give --from X Y Z.";
     Json json = contextOf(machine, task_.query.criterion);
     json["verdict"] = nameOf(report.verdict);
     json["from"] = toJson(task_.from);

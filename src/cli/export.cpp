@@ -40,6 +40,13 @@ public:
     options.choice("format", task_.format, limitFormats(), "whose words the limits are written in");
     options.vector("center", center_, "X Y Z", LENGTH, "center of the region, in the frame of the root link");
     body_.declare(options);
+    options.words("origin", "X Y Z",
+                  "where the controller's zero is, in the frame of the root link [m]; 0 0 0 without it, as pkm import "
+                  "has it. The limits are seen from there",
+                  [this](const Words& words) {
+                    const auto numbers = readNumbers(words, LENGTH);
+                    task_.origin = { numbers[0], numbers[1], numbers[2] };
+                  });
     options.flag("top-by-slicer", task_.top_by_slicer,
                  "writes the radius and the lower end of a cylinder that ends below where the switches are, although "
                  "nothing but the build height of the slicer keeps the tool below its top");
@@ -47,10 +54,10 @@ public:
     declareTimeLimit(options, task_.budget.time_limit);
     declareOutput(options, "output", output_, "file to write; without it, standard output");
     options.require({ "format", "center" });
-    options.check({ "format", "center", "size", "sides", "radius", "height" },
+    options.check({ "format", "center", "origin", "size", "sides", "radius", "height" },
                   [this](Problems& problems) { checkBody(problems); });
-    options.check({ "urdf", "format", "center", "size", "sides", "radius", "height", "rails", "tcp-links", "tool-link",
-                    "tool", "ball-axes" },
+    options.check({ "urdf", "format", "center", "origin", "size", "sides", "radius", "height", "rails", "tcp-links",
+                    "tool-link", "tool", "ball-axes" },
                   [this](Problems& problems) {
                     if (body_.given())
                       task_.validateMachine(machine_.machine(), problems);
@@ -92,10 +99,11 @@ private:
   MachineOptions machine_;
   ExportTask task_ = { {},
                        {},
+                       Eigen::Vector3d::Zero(),
                        false,
                        {},
-                       { "--radius R --height H", "--center 0 0 Z", "--sides A B C", "--joint-limits off",
-                         "--top-by-slicer" } };
+                       { "--radius R --height H", "a --center above the --origin", "--sides A B C",
+                         "--joint-limits off", "--top-by-slicer", "--origin X Y Z" } };
   BodyOption body_;
   std::optional<Eigen::Vector3d> center_;
   Criterion criterion_;

@@ -95,8 +95,10 @@ void MeshOptions::computeMeshes(const Machine& machine, const PavingQuery& query
   };
   meshes_ = setMeshes(machine, wanted);
   if (!meshes_->complete)
-    why_no_mesh_ = "the surface was not proved within the limits: " + query.budget.endedBy(meshes_->seconds, 0) +
-                   " ended it; give more time or a coarser --resolution";
+    why_no_mesh_ =
+        "the surface was not proved within the limits: " + query.budget.endedBy(meshes_->seconds, 0) +
+        " ended it; the sets of both aspects, surfaces and maps take turns: give more time (--time-limit) or a coarser "
+        "--resolution";
   else if (meshes_->outer.triangles.empty())
     why_no_mesh_ = "no point of the box belongs to the set: there is no surface";
   else if (!inner_.empty() && meshes_->inner.triangles.empty())
@@ -112,8 +114,10 @@ void MeshOptions::computeMap(const Machine& machine, PavingQuery query, bool oft
   };
   map_ = octreeMap(machine, query);
   if (!map_->complete)
-    why_no_map_ = "the map was not proved within the limits: " + query.budget.endedBy(map_->seconds, 0) +
-                  " ended it; give more time or a coarser --resolution";
+    why_no_map_ =
+        "the map was not proved within the limits: " + query.budget.endedBy(map_->seconds, 0) +
+        " ended it; the sets of both aspects, surfaces and maps take turns: give more time (--time-limit) or a "
+        "coarser --resolution";
 }
 
 void MeshOptions::addTo(Json& json) const

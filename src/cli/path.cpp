@@ -175,6 +175,8 @@ private:
                                  : std::to_string(checks_.size()) + (checks_.size() == 1 ? " segment" : " segments");
     const std::string offences = source_.job().isGiven() ? source_.job().offences(machine_.machine()) : "";
     return "Path of machine '" + machine_.machine().name() + "', " + size + "\n\n" + aligned(rows, Align::LEFT) + "\n" +
+           feedTable(
+               rates_, [this](std::size_t k) { return source_.text().place(k); }, machine_.machine()) +
            offences + (offences.empty() ? "" : "\n") + wrapped(report.message) +
            wrapped(definition(machine_.machine(), criterion_));
   }

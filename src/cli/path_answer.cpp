@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_answer.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -9,6 +12,9 @@ namespace cli
 {
 namespace
 {
+/// Segments whose largest feeds are printed.
+constexpr std::ptrdiff_t MOST_FEEDS = 10;
+
 std::string jointOf(const Machine& machine, std::size_t leg)
 {
   return "'" + machine.legs()[leg].joint + "'";
@@ -71,6 +77,36 @@ Json ratesJson(const PathRates& rates, const Machine& machine)
                { "upper", finite(feed.upper) },
                { "joint", binds ? Json(machine.leg(feed.leg).joint) : Json() },
                { "limit", binds ? Json(name(feed.kind)) : Json() } } } };
+}
+
+std::string feedTable(const std::deque<PathRates>& rates, const std::function<std::string(std::size_t)>& place,
+                      const Machine& machine)
+{
+  if (rates.size() < 2)
+    return "";
+  std::vector<std::size_t> segments(rates.size());
+  std::iota(segments.begin(), segments.end(), std::size_t(0));
+  const bool has_more = segments.size() > static_cast<std::size_t>(MOST_FEEDS);
+  if (has_more)
+  {
+    std::partial_sort(segments.begin(), segments.begin() + MOST_FEEDS, segments.end(),
+                      [&](std::size_t a, std::size_t b) {
+                        return std::make_pair(rates[a].feed.lower, a) < std::make_pair(rates[b].feed.lower, b);
+                      });
+    segments.resize(MOST_FEEDS);
+  }
+  std::vector<Words> rows = { { "segment", "largest feed", "limited by" } };
+  for (const std::size_t k : segments)
+  {
+    const LargestFeed& feed = rates[k].feed;
+    const std::string limit = feed.kind == Limit::Kind::JOINT_SPEED ? "speed of " : "acceleration of ";
+    rows.push_back(
+        { place(k), feedText(feed), feed.leg < 0 ? "" : limit + jointOf(machine, static_cast<std::size_t>(feed.leg)) });
+  }
+  return (has_more ? "The " + std::to_string(MOST_FEEDS) + " slowest of " + std::to_string(rates.size()) +
+                         " segments (--json has them all):\n\n"
+                   : "") +
+         aligned(rows, Align::LEFT) + "\n";
 }
 
 void addMotion(const PathMotion& motion, const Machine& machine, std::vector<Words>& rows)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -41,5 +43,8 @@ Json limitsJson(const std::array<double, 3>& limits);
 // Rows of a table. The factors are those of the machine, the rest is told leg by leg.
 void addMotion(const PathMotion& motion, const Machine& machine, std::vector<Words>& rows);
 void addRates(const PathRates& rates, const Machine& machine, std::vector<Words>& rows);
+/// The largest feed of each segment, or of the slowest ones where there are many; nothing of a single one.
+std::string feedTable(const std::deque<PathRates>& rates, const std::function<std::string(std::size_t)>& place,
+                      const Machine& machine);
 }  // namespace cli
 }  // namespace pkm_workspace

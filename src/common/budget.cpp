@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "pkm_workspace/interval/decimal.h"
+
 namespace pkm_workspace
 {
 void Budget::validate(Problems& problems) const
@@ -60,9 +62,10 @@ std::string Budget::endedBy(double seconds, std::int64_t boxes, bool out_of_memo
   else if (out_of_memory)
     text << (whole_memory > 0 ? "its share of " : "") << "the limit of "
          << (whole_memory > 0 ? whole_memory : max_memory) << " bytes of memory";
+  else if (isOver(seconds) && whole_time > 0.0)
+    text << nearly(time_limit, 3) << " s, its share of the time limit of " << whole_time << " s";
   else if (isOver(seconds))
-    text << (whole_time > 0.0 ? "its share of " : "") << "the time limit of "
-         << (whole_time > 0.0 ? whole_time : time_limit) << " s";
+    text << "the time limit of " << time_limit << " s";
   return text.str();
 }
 }  // namespace pkm_workspace

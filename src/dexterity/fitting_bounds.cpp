@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "pkm_workspace/dexterity/verdict.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
 
@@ -53,16 +54,26 @@ double spread(const Vector3d& psi)
   return std::max(psi[2], 1.0 / psi[0]);
 }
 
+/// All that the criterion asks for besides the factors, and joint limits, at which a point may stand.
+Criterion restOf(Criterion criterion)
+{
+  criterion.set = Criterion::Set::REACHABLE;
+  criterion.joint_limits = false;
+  return criterion;
+}
+
 /// The least spread that was found, and where.
 class BestPoint
 {
 public:
-  BestPoint(const Machine& machine, const Criterion& criterion) : machine_(machine), criterion_(criterion) {}
+  BestPoint(const Machine& machine, const Criterion& criterion)
+    : machine_(machine), criterion_(criterion), rest_(machine, restOf(criterion))
+  {}
 
   bool tryPoint(const Vector3d& p)
   {
     const auto psi = factorsAt(machine_, criterion_, p);
-    if (!psi || (best_ && spread(*psi) >= (1.0 - LEAST_GAIN) * spread(best_->psi)))
+    if (!psi || (best_ && spread(*psi) >= (1.0 - LEAST_GAIN) * spread(best_->psi)) || isExcluded(p))
       return false;
     best_ = FittingBounds{ p, *psi, 0.0, 0.0 };
     return true;
@@ -85,8 +96,11 @@ public:
   const std::optional<FittingBounds>& best() const { return best_; }
 
 private:
+  bool isExcluded(const Vector3d& p) const { return rest_.classify(Box{ p, p }) == BoxVerdict::OUTSIDE; }
+
   const Machine& machine_;
   const Criterion& criterion_;
+  BoxTest rest_;
   std::optional<FittingBounds> best_;
 };
 
@@ -138,7 +152,7 @@ FittingBounds chooseBounds(const Machine& machine, Criterion& criterion)
   if (!bounds)
     throw std::invalid_argument(
         "no point of the machine was found for which bounds of the velocity transmission factors "
-        "could be chosen; give them");
+        "could be chosen: none keeps all other conditions, zones too; give the bounds");
   criterion.psi_min = bounds->psi_min;
   criterion.psi_max = bounds->psi_max;
   return *bounds;

@@ -35,7 +35,7 @@ bool isAmong(std::string_view names, std::string_view name)
 std::invalid_argument unexpected(std::string_view printed)
 {
   return std::invalid_argument("rs274 prints '" + std::string(printed.substr(0, 120)) +
-                               "', which is no call that this reader knows");
+                               "', which is not a call that this reader knows");
 }
 
 /// Moves over characters of a set. @return what was moved over

@@ -42,9 +42,9 @@ public:
       else if (text_[at] >= '0' && text_[at] <= '9')
         take(text_[at] - '0');
       else
-        throw refusal(text_, "is no number: digits with a sign and a point are expected");
+        throw refusal(text_, "is not a number: digits with a sign and a point are expected");
     if (count_ == 0)
-      throw refusal(text_, "is no number: it has no digits");
+      throw refusal(text_, "is not a number: it has no digits");
     const std::int64_t scale = unit_.factor * powerOfTen(unit_.decimals - decimals_);
     if (digits_ > MOST / scale)
       throw tooLarge();

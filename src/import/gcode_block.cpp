@@ -141,7 +141,7 @@ int codeOf(char letter, std::string_view number)
       break;
   }
   if (code == NO_CODE || number.empty() || number.size() > LONGEST)
-    throw std::invalid_argument(std::string(1, letter) + std::string(number) + " is no code; " + LIST);
+    throw std::invalid_argument(std::string(1, letter) + std::string(number) + " is not a code; " + LIST);
   return decimals == 0 ? 10 * code : code;
 }
 

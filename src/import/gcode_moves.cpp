@@ -116,7 +116,7 @@ void GcodeJob::State::setArc(Block& block, const Place& end, GcodeMove& move) co
 void GcodeJob::State::setCenter(Block& block, std::size_t normal, GcodeMove& move) const
 {
   if (block.has(gcode::CENTERS[normal]))
-    throw std::invalid_argument(std::string(1, gcode::CENTERS[normal]) + " is no axis of the plane in effect (" +
+    throw std::invalid_argument(std::string(1, gcode::CENTERS[normal]) + " is not an axis of the plane in effect (" +
                                 gcode::nameOf('G', plane_) + ")");
   Place center = place_;
   for (const std::size_t axis : { (normal + 1) % 3, (normal + 2) % 3 })

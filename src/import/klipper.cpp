@@ -97,7 +97,7 @@ void checkKinematics(Reading& reading)
     reading.miss("[printer] kinematics", "expected kinematics: delta, which is a linear delta");
   else if (kinematics->text != "delta")
     reading.refuse(kinematics->place, "printer kinematics = ", quoted(kinematics->text),
-                   " is no linear delta; allowed: delta");
+                   " is not a linear delta; allowed: delta");
   else
     reading.take(*kinematics, "a linear delta");
 }
@@ -138,11 +138,11 @@ std::string klipperReason(const Entry& entry)
   if (entry.key == "printer max_velocity" || entry.key == "printer max_z_velocity")
     return "a limit of the tool's speed, not of a carriage's";
   if (startsWith(entry.key, "printer "))
-    return "speeds and other settings are no part of the geometry";
+    return "speeds and other settings are not part of the geometry";
   const std::string key = entry.key.substr(entry.key.find(' ') + 1);
   if (key == "position_min" || key == "position_max")
     return "Klipper does not use it for a delta: its limits follow from position_endstop and minimum_z_position";
-  return "drives, switches and speeds are no part of the geometry";
+  return "drives, switches and speeds are not part of the geometry";
 }
 
 /// The section of an entry that has nothing to do with the towers; empty otherwise.

@@ -51,7 +51,7 @@ Units unitsOf(Reading& reading)
   if (metric || imperial)
     reading.take(*units, metric ? "lengths are millimetres" : "lengths are inches of 0.0254 m");
   else
-    reading.refuse(units->place, "TRAJ LINEAR_UNITS = ", quoted(units->text), " is no unit; allowed: mm, inch");
+    reading.refuse(units->place, "TRAJ LINEAR_UNITS = ", quoted(units->text), " is not a unit; allowed: mm, inch");
   return imperial ? IMPERIAL : METRIC;
 }
 
@@ -62,7 +62,7 @@ void checkKins(Reading& reading)
     reading.miss("[KINS] KINEMATICS", "expected lineardeltakins; is this the INI file?");
   else if (firstWord(kinematics->text) != "lineardeltakins")
     reading.refuse(kinematics->place, "KINS KINEMATICS = ", quoted(kinematics->text),
-                   " is no linear delta; allowed: lineardeltakins");
+                   " is not a linear delta; allowed: lineardeltakins");
   else
     reading.take(*kinematics, "a linear delta");
 }
@@ -176,7 +176,7 @@ std::string linuxcncReason(const Entry& entry)
     return "read for the pins of lineardeltakins only";
   const bool is_tool = startsWith(entry.key, "AXIS_") && entry.key.find("_LIMIT") != std::string::npos;
   return is_tool ? "a limit of the tool, not of a carriage"
-                 : "accelerations, homing and further joints are no part of the machine";
+                 : "accelerations, homing and further joints are not part of the machine";
 }
 }  // namespace
 

@@ -46,8 +46,9 @@ private:
   /// The values of a key, as many as it takes; nothing where there are not so many.
   MachineDraft::Texts valuesOf(const DraftKey& key, const YAML::Node& node)
   {
-    const MachineDraft::Texts texts = scalarsOf(node);
-    if (texts.size() == key.size)
+    const std::size_t before = problems().size();
+    const MachineDraft::Texts texts = scalarsIn(node, key.name);
+    if (texts.size() == key.size || problems().size() > before)
       return texts;
     refuse(node, std::string(key.name) + " needs " +
                      (key.size == 1 ? "one value" : std::to_string(key.size) + " values in brackets") + " (" +

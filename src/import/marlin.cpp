@@ -91,7 +91,7 @@ private:
     const std::vector<std::string> parts = split(is_list ? text.substr(1, text.size() - 2) : "", ',');
     if (parts.size() != values.size())
       return reading_.refuse(entry.place, entry.key, " = ", quoted(text),
-                             " is no list of three numbers; expected { A, "
+                             " is not a list of three numbers; expected { A, "
                              "B, C } in ",
                              quantity.unit);
     std::string meaning = what;
@@ -163,7 +163,7 @@ void readMarlin(const Source& source, Reading& reading, LinearDelta& delta)
   reading.leaveKinds(otherDefines, "no part of the geometry");
   reading.leaveRest([&](const Entry& entry) {
     return defines.wasUsed(entry.key) ? "goes into other values, or into conditions"
-                                      : "calibration, speeds and menus are no part of the geometry";
+                                      : "calibration, speeds and menus are not part of the geometry";
   });
 }
 }  // namespace firmware

@@ -35,8 +35,8 @@ MarlinDelta::Three threeWords(const std::string& code, const std::string& letter
 std::string reportReason(const Entry& entry)
 {
   if (entry.key == "M665 B")
-    return "the radius of the calibration: without A and C it is no trim of a rod";
-  return "segments, sensors and modes are no part of the geometry";
+    return "the radius of the calibration: without A and C it does not trim a rod";
+  return "segments, sensors and modes are not part of the geometry";
 }
 }  // namespace
 

@@ -42,7 +42,7 @@ std::optional<Decimal> Reading::inRange(const Entry& entry, const std::string& t
   const std::string range = "from " + measure(quantity.least, "to ") + measure(quantity.most, quantity.unit);
   const std::optional<Decimal> number = evaluate(text);
   if (!number)
-    refuse(entry.place, entry.key, " = ", quoted(text), " is no number; allowed: ", number_words, ", ", range);
+    refuse(entry.place, entry.key, " = ", quoted(text), " is not a number; allowed: ", number_words, ", ", range);
   else if (*number < Decimal(quantity.least) || Decimal(quantity.most) < *number)
     refuse(entry.place, entry.key, " = ", quoted(text), " ", quantity.unit, " is out of range; allowed: ", range,
            "; check its unit and its point");

@@ -69,7 +69,7 @@ void checkOtherKinematics(Reading& reading)
     if (kinematics->text == "3")
       reading.take(*kinematics, "a linear delta");
     else
-      reading.refuse(kinematics->place, "M669 K = ", quoted(kinematics->text), " is no linear delta; allowed: 3");
+      reading.refuse(kinematics->place, "M669 K = ", quoted(kinematics->text), " is not a linear delta; allowed: 3");
   }
   for (const char* const key : { "M669 X", "M669 Y" })
     if (const Entry* const tower = reading.find(key))

@@ -55,7 +55,7 @@ std::vector<SourceLine> sourceLines(const std::string& file, const std::string& 
   std::vector<SourceLine> lines;
   if (startsWith(content, "\xFF\xFE") || startsWith(content, "\xFE\xFF") || content.find('\0') != std::string::npos)
   {
-    complain(problems, file, ": this is no text in UTF-8: it is UTF-16, or has zero bytes; save it as UTF-8");
+    complain(problems, file, ": this is not UTF-8 text: it is UTF-16, or has zero bytes; save it as UTF-8");
     return lines;
   }
   for (std::size_t begin = startsWith(content, "\xEF\xBB\xBF") ? 3 : 0; begin < content.size();)

@@ -19,6 +19,17 @@ std::string namesOf(const MapEntries& entries)
     names.push_back(entry.name);
   return joined(names, ", ");
 }
+/// Texts of a value, or of a list of them.
+std::vector<std::string> scalarsOf(const YAML::Node& node)
+{
+  std::vector<std::string> texts;
+  if (node.IsSequence())
+    for (const auto& value : node)
+      texts.push_back(value.IsScalar() ? value.Scalar() : "");
+  else if (node.IsScalar())
+    texts.push_back(node.Scalar());
+  return texts;
+}
 }  // namespace
 
 YAML::Node YamlReader::load(const std::string& text) const
@@ -29,7 +40,7 @@ YAML::Node YamlReader::load(const std::string& text) const
   }
   catch (const YAML::Exception& error)
   {
-    throw std::invalid_argument(name_ + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
+    throw std::invalid_argument(name_ + ":" + std::to_string(error.mark.line + 1) + ": not valid YAML: " + error.msg);
   }
 }
 
@@ -57,7 +68,7 @@ void YamlReader::readMap(const YAML::Node& map, const std::string& what, const M
     const auto known = [&key](const MapEntry& entry) { return entry.name == key; };
     const auto entry = std::find_if(entries.begin(), entries.end(), known);
     if (entry == entries.end())
-      refuse(pair.first, "'" + shortened(key, 60) + "' is no key of " + what + "; these are: " + namesOf(entries));
+      refuse(pair.first, "unknown key '" + shortened(key, 60) + "' in " + what + "; its keys are: " + namesOf(entries));
     else if (!seen.insert(key).second)
       refuse(pair.first, "'" + key + "' stands a second time in " + what);
     else
@@ -65,25 +76,26 @@ void YamlReader::readMap(const YAML::Node& map, const std::string& what, const M
   }
 }
 
+std::vector<std::string> YamlReader::scalarsIn(const YAML::Node& node, const std::string& key)
+{
+  const auto is_nested = [](const YAML::Node& value) { return !value.IsScalar() && !value.IsNull(); };
+  if (node.IsMap())
+    refuse(node, key + " must be one value or a list of values, as [1, 2, 3], and it is a map");
+  else if (node.IsSequence() && std::any_of(node.begin(), node.end(), is_nested))
+    refuse(node, key + " must be one value or a list of values, as [1, 2, 3], and it has a list or a map in its list");
+  else
+    return scalarsOf(node);
+  return {};
+}
+
 std::vector<double> YamlReader::numbersIn(const YAML::Node& node, const std::string& key)
 {
   std::vector<double> numbers;
-  for (const std::string& text : scalarsOf(node))
+  for (const std::string& text : scalarsIn(node, key))
     if (const auto number = parseNumber(text == ".inf" ? "inf" : text))  // as YAML writes it
       numbers.push_back(*number);
     else
-      refuse(node, key + " = '" + shortened(text, 60) + "' is no number");
+      refuse(node, key + " = '" + shortened(text, 60) + "' is not a number");
   return numbers;
-}
-
-std::vector<std::string> scalarsOf(const YAML::Node& node)
-{
-  std::vector<std::string> texts;
-  if (node.IsSequence())
-    for (const auto& value : node)
-      texts.push_back(value.IsScalar() ? value.Scalar() : "");
-  else if (node.IsScalar())
-    texts.push_back(node.Scalar());
-  return texts;
 }
 }  // namespace pkm_workspace

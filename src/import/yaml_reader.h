@@ -28,12 +28,14 @@ public:
 
   const Problems& problems() const { return problems_; }
 
-  /// @throws std::invalid_argument where it is no YAML
+  /// @throws std::invalid_argument where it is not YAML
   YAML::Node load(const std::string& text) const;
   std::string placeOf(const YAML::Node& node) const;
   void refuse(const YAML::Node& node, const std::string& what) { problems_.push_back(placeOf(node) + ": " + what); }
   std::string textOf(const YAML::Node& node, const std::string& key);
-  /// One number, or those of a list.
+  /// One value, or those of a list, as texts. None where what stands there is refused.
+  std::vector<std::string> scalarsIn(const YAML::Node& node, const std::string& key);
+  /// The same as numbers.
   std::vector<double> numbersIn(const YAML::Node& node, const std::string& key);
   /// Keys that are unknown, or stand a second time, are refused. @param what the map is
   void readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries);
@@ -43,7 +45,4 @@ private:
   std::string remedy_;
   Problems problems_;
 };
-
-/// The scalars of a list, or the one that stands alone; an empty text for what is none.
-std::vector<std::string> scalarsOf(const YAML::Node& node);
 }  // namespace pkm_workspace

@@ -12,7 +12,7 @@ void validateBallAxes(const BallAxes& axes, Problems& problems)
   for (const Eigen::Vector3d& axis : axes)
     if (!axis.allFinite() || !(axis.norm() >= 1e-9 && axis.norm() <= 1e9))
       complain(problems, "ball_axes: (", exact(axis.x()), ", ", exact(axis.y()), ", ", exact(axis.z()),
-               ") is no direction, expected a vector of a length from 1e-9 to 1e9");
+               ") is not a direction, expected a vector of a length from 1e-9 to 1e9");
 }
 
 void setBallAxes(const BallAxes& axes, Machine::Legs& legs)

@@ -36,17 +36,34 @@ ZoneKind requireKind(const std::string& name)
 {
   if (const auto kind = kindOf(name))
     return *kind;
-  throw std::invalid_argument("'" + shortened(name, LONGEST_SHOWN) + "' is no kind of zone; these are: " +
+  throw std::invalid_argument("'" + shortened(name, LONGEST_SHOWN) + "' is not a kind of zone; these are: " +
                               joined({ ZONE_KINDS.begin(), ZONE_KINDS.end() }, ", "));
 }
 
-std::string keysOf(ZoneKind kind)
+const char* nameOf(const ZoneKey& key, ZoneNames names)
 {
-  std::vector<std::string> names;
+  return names == ZoneNames::KEYS ? key.name : key.field;
+}
+
+std::string namesOf(ZoneKind kind, ZoneNames names)
+{
+  std::vector<std::string> all;
   for (const ZoneKey& key : zoneKeys())
     if (has(key, kind))
-      names.emplace_back(key.name);
-  return joined(names, ", ");
+      all.emplace_back(nameOf(key, names));
+  return joined(all, ", ");
+}
+
+/// Why a zone of this kind is not given that.
+std::string strange(const std::string& name, const std::string& kind, ZoneNames names)
+{
+  const ZoneKind has = requireKind(kind);
+  const auto key =
+      std::find_if(zoneKeys().begin(), zoneKeys().end(), [&name](const ZoneKey& known) { return known.name == name; });
+  if (names == ZoneNames::FIELDS && key != zoneKeys().end())
+    return std::string(key->field) + " must be 0: a " + kind + " has only name, " + namesOf(has, names);
+  return "unknown key '" + shortened(name, LONGEST_SHOWN) + "' in a " + kind + "; its keys are: kind, name, " +
+         namesOf(has, names);
 }
 
 /// "box X Y Z SX SY SZ".
@@ -59,17 +76,18 @@ std::string wordsOf(ZoneKind kind)
   return words;
 }
 
-void readKey(const ZoneKey& key, const std::string& what, const ZoneNumbers& numbers, Zone& zone, Problems& problems)
+void readKey(const ZoneKey& key, const std::string& what, const ZoneNumbers& numbers, ZoneNames names, Zone& zone,
+             Problems& problems)
 {
   const auto given = numbers.find(key.name);
   const std::vector<double*> targets = key.numbers(zone);
   if (given == numbers.end() || given->second.empty())
   {
     if (key.is_required)
-      problems.push_back(what + " needs " + key.name + " (" + key.values + ")");
+      problems.push_back(what + " needs " + nameOf(key, names) + " (" + key.values + ")");
   }
   else if (given->second.size() != targets.size())
-    problems.push_back(std::string(key.name) + " needs " +
+    problems.push_back(std::string(nameOf(key, names)) + " needs " +
                        (targets.size() == 1 ? "one number" : std::to_string(targets.size()) + " numbers") + " (" +
                        key.values + "), got " + std::to_string(given->second.size()));
   else
@@ -80,38 +98,30 @@ void readKey(const ZoneKey& key, const std::string& what, const ZoneNumbers& num
 
 const std::vector<ZoneKey>& zoneKeys()
 {
+  using Kind = ZoneKind;
+  const auto place = [](Zone& zone) { return pointers(zone.pose.translation); };
+  const auto sides = [](Zone& zone) { return pointers(zone.sides); };
+  const auto radius = [](Zone& zone) { return std::vector<double*>{ &zone.radius }; };
+  const auto height = [](Zone& zone) { return std::vector<double*>{ &zone.height }; };
+  const auto normal = [](Zone& zone) { return pointers(zone.normal); };
+  const auto turn = [](Zone& zone) {
+    auto& q = zone.pose.orientation;
+    return std::vector<double*>{ &q[0], &q[1], &q[2], &q[3] };
+  };
   static const std::vector<ZoneKey> keys = {
-    { "center",
-      "X Y Z",
-      { ZoneKind::BOX, ZoneKind::CYLINDER, ZoneKind::SPHERE },
-      true,
-      [](Zone& zone) { return pointers(zone.pose.translation); } },
-    { "point", "X Y Z", { ZoneKind::HALF_SPACE }, true, [](Zone& zone) { return pointers(zone.pose.translation); } },
-    { "sides", "SX SY SZ", { ZoneKind::BOX }, true, [](Zone& zone) { return pointers(zone.sides); } },
-    { "radius",
-      "RADIUS",
-      { ZoneKind::CYLINDER, ZoneKind::SPHERE },
-      true,
-      [](Zone& zone) { return std::vector<double*>{ &zone.radius }; } },
-    { "height",
-      "HEIGHT",
-      { ZoneKind::CYLINDER },
-      true,
-      [](Zone& zone) { return std::vector<double*>{ &zone.height }; } },
-    { "normal", "NX NY NZ", { ZoneKind::HALF_SPACE }, true, [](Zone& zone) { return pointers(zone.normal); } },
-    { "orientation",
-      "QX QY QZ QW",
-      { ZoneKind::BOX, ZoneKind::CYLINDER },
-      false,
-      [](Zone& zone) {
-        auto& q = zone.pose.orientation;
-        return std::vector<double*>{ &q[0], &q[1], &q[2], &q[3] };
-      } },
+    { "center", "pose.position", "X Y Z", { Kind::BOX, Kind::CYLINDER, Kind::SPHERE }, true, place },
+    { "point", "pose.position", "X Y Z", { Kind::HALF_SPACE }, true, place },
+    { "sides", "sides", "SX SY SZ", { Kind::BOX }, true, sides },
+    { "radius", "radius", "RADIUS", { Kind::CYLINDER, Kind::SPHERE }, true, radius },
+    { "height", "height", "HEIGHT", { Kind::CYLINDER }, true, height },
+    { "normal", "normal", "NX NY NZ", { Kind::HALF_SPACE }, true, normal },
+    { "orientation", "pose.orientation", "QX QY QZ QW", { Kind::BOX, Kind::CYLINDER }, false, turn },
   };
   return keys;
 }
 
-Zone readZone(Zone::Use use, const std::string& kind, const std::string& name, const ZoneNumbers& numbers)
+Zone readZone(Zone::Use use, const std::string& kind, const std::string& name, const ZoneNumbers& numbers,
+              ZoneNames names)
 {
   Zone zone;
   zone.use = use;
@@ -122,12 +132,11 @@ Zone readZone(Zone::Use use, const std::string& kind, const std::string& name, c
   {
     const auto known = [&](const ZoneKey& key) { return key.name == given.first && has(key, zone.kind); };
     if (std::none_of(zoneKeys().begin(), zoneKeys().end(), known))
-      problems.push_back("'" + shortened(given.first, LONGEST_SHOWN) + "' is no key of a " + kind +
-                         "; these are: kind, name, " + keysOf(zone.kind));
+      problems.push_back(strange(given.first, kind, names));
   }
   for (const ZoneKey& key : zoneKeys())
     if (has(key, zone.kind))
-      readKey(key, "a " + kind, numbers, zone, problems);
+      readKey(key, "a " + kind, numbers, names, zone, problems);
   throwProblems(problems);
   return zone;
 }
@@ -140,7 +149,8 @@ Zone readZone(Zone::Use use, const std::vector<std::string>& words)
     if (const auto number = parseNumber(words[k]))
       given.push_back(*number);
     else
-      throw std::invalid_argument("'" + shortened(words[k], LONGEST_SHOWN) + "' is no number; give " + wordsOf(kind));
+      throw std::invalid_argument("'" + shortened(words[k], LONGEST_SHOWN) + "' is not a number; give " +
+                                  wordsOf(kind));
   ZoneNumbers numbers;
   std::size_t next = 0;
   for (const ZoneKey& key : zoneKeys())

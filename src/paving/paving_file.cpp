@@ -122,8 +122,8 @@ std::vector<Paving> takeAll(const std::string& bytes)
 void checkSubject(const std::vector<Paving>& pavings, const Machine& machine, const std::vector<PavingQuery>& queries)
 {
   Problems problems;
-  for (std::size_t k = 0; k < std::min(pavings.size(), queries.size()); ++k)
-    validateEarlier(machine, queries[k], pavings[k], problems);
+  for (std::size_t k = 0; k < std::min(pavings.size(), queries.size()) && problems.empty(); ++k)
+    validateEarlier(machine, queries[k], pavings[k], problems);  // what is wrong is so with all of them
   if (problems.empty() && pavings.size() != queries.size())
     problems.push_back("it holds " + std::to_string(pavings.size()) + " pavings, asked for are " +
                        std::to_string(queries.size()));

@@ -158,9 +158,14 @@ void PlannerService::exportLimits(const ExportLimits::Request& request, ExportLi
     problems.push_back("format = '" + task.format + "' must be one of " + joined(formats, ", "));
   if (const auto region = fromMessage(request.solid, request.center, problems))
     task.region = *region;
+  task.origin = fromMessage(request.origin);
   task.top_by_slicer = request.top_by_slicer != 0;
-  task.remedies = { "type = CYLINDER with height and radius", "center 0 0 z", "type = BOX with three sides",
-                    "joint_limits = OFF", "top_by_slicer" };
+  task.remedies = { "type = CYLINDER with height and radius",
+                    "a center above the origin",
+                    "type = BOX with three sides",
+                    "joint_limits = OFF",
+                    "top_by_slicer",
+                    "origin" };
   task.budget = budgetOf(request.max_boxes, problems);
   throwProblems(problems);
   const ExportReport report = pkm_workspace::exportLimits(*evaluator, task);

@@ -86,7 +86,7 @@ Zone fromMessage(const ToolZone& message)
   give("height", { message.height }, numbers);
   give("normal", threeOf(message.normal), numbers);
   Zone zone = readZone(message.use == ToolZone::KEEP_IN ? Zone::Use::KEEP_IN : Zone::Use::KEEP_OUT,
-                       ZONE_KINDS[message.kind - 1U], message.name, numbers);
+                       ZONE_KINDS[message.kind - 1U], message.name, numbers, ZoneNames::FIELDS);
   zone.in_root = message.in_root;
   return zone;
 }

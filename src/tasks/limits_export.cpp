@@ -19,25 +19,26 @@ namespace
 /// What pkm import leaves off a switch when it rounds it, and some more [m].
 constexpr double SWITCH_SLACK = 3e-6;
 
-/// Whether the z axis lies within the triangle of the rails, seen from the tool.
-bool isAxisBetweenRails(const Machine& machine)
+/// Whether the line along z through a point lies within the triangle of the rails, seen from the tool.
+bool isBetweenRails(const Machine& machine, const Eigen::Vector3d& point)
 {
   int sum = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const IntervalVector& one = machine.center(i);
-    const IntervalVector& next = machine.center((i + 1) % 3);
+    const IntervalVector one = machine.center(i) - enclose(point);
+    const IntervalVector next = machine.center((i + 1) % 3) - enclose(point);
     const Interval turn = one[0] * next[1] - one[1] * next[0];
     sum += turn.certainlyPositive() ? 1 : turn.certainlyNegative() ? -1 : 0;
   }
   return sum == 3 || sum == -3;
 }
 
-/// No carriage lets the tool get above this: at any place some rail is no further away than at the z axis, so that the
-/// carriage stands at least as far above the tool [m]. @pre the rails stand along z, with that axis between them
-double ceilingOf(const Machine& machine)
+/// No carriage lets the tool get further above the point than this: at any place some rail is no further away than on
+/// the line through the point, so that the carriage stands at least as far above the tool [m].
+/// @pre the rails stand along z, with that line between them
+double ceilingOver(const Machine& machine, const Eigen::Vector3d& point)
 {
-  const auto level = configurationAt(machine, Eigen::Vector3d::Zero());
+  const auto level = configurationAt(machine, point);
   double ceiling = level ? -INF : INF;
   for (int i = 0; level && i < 3; ++i)
   {
@@ -70,15 +71,18 @@ std::vector<std::string> comments(const Machine& machine, const Criterion& crite
   std::vector<std::string> lines = { std::string("Limits by pkm_workspace ") + version() + ", rounded inward.",
                                      "Machine '" + machine.name() + "', geometry " + machine.geometryHash() + "." };
   lines.push_back("Region: " +
-                  (held.radius ? "cylinder about the z axis, radius " + exact(*held.radius) + " m, z " + z
-                               : "box from " + inMetres(held.box.lower) + " to " + inMetres(held.box.upper)) +
+                  (held.radius ? "seen from the controller's zero, cylinder about the z axis, radius " +
+                                     exact(*held.radius) + " m, z " + z
+                               : "seen from the controller's zero, box from " + inMetres(held.box.lower) + " to " +
+                                     inMetres(held.box.upper)) +
                   ".");
   lines.push_back(proof);
   lines.push_back(definition(machine, criterion));
   lines.push_back(
-      "It holds for the machine that the URDF describes, in the frame of its root link, with the tool offset, bed "
-      "levelling and "
-      "homing of the controller as they were when its numbers were taken.");
+      "The controller's zero is taken to be at " + inMetres(task.origin) +
+      " of the frame of the URDF's root link, with axes parallel to those. It holds for the machine that the URDF "
+      "describes, with the tool offset, bed levelling and homing of the controller as they were when its numbers were "
+      "taken.");
   if (holdsCylinders(task.format) && !task.top_by_slicer)
     lines.push_back("The upper end is held by the switches, which the upper joint limits of the URDF stand for.");
   if (task.top_by_slicer)
@@ -94,11 +98,13 @@ void ExportTask::validateBody(Problems& problems) const
   if (holdsCylinders(format) && !isCylinder())
     problems.push_back(format + " limits the distance from the z axis and the height: a " + shape.kind() +
                        " cannot be held; give a cylinder, " + remedies.cylinder);
-  else if (holdsCylinders(format) && (region.center.x() != 0.0 || region.center.y() != 0.0))
+  else if (holdsCylinders(format) && (region.center.x() != origin.x() || region.center.y() != origin.y()))
     problems.push_back(format +
-                       " limits the distance from the z axis: a cylinder about another axis cannot be "
+                       " limits the distance from the z axis through its zero: a cylinder about another axis cannot be "
                        "held; give " +
                        remedies.center);
+  if (!(origin.cwiseAbs().maxCoeff() <= FARTHEST))
+    problems.push_back("origin = " + inMetres(origin) + " must be finite, within 1e9 m");
   else if (!holdsCylinders(format) && (!shape.isBox() || shape.dimensions(region.solid.size).size() != 3))
     problems.push_back(format + " limits each coordinate: a " + shape.kind() + " cannot be held; give a box, " +
                        remedies.box);
@@ -117,17 +123,18 @@ void ExportTask::validateMachine(const Machine& machine, Problems& problems) con
       problems.push_back("joint '" + leg.joint +
                          "' is not along z with its carriage above the tool: the coordinates of " + format +
                          " are those of such rails, so its limits mean another region");
-  if (!isAxisBetweenRails(machine))
+  if (!isBetweenRails(machine, origin))
     problems.push_back("the z axis is not between the rails: " + format + " limits the distance from it");
   if (!problems.empty() || top_by_slicer)
     return;
-  const double ceiling = ceilingOf(machine);
+  const double ceiling = ceilingOver(machine, origin);
   const double top = held().box.upper.z();
   if (!(top > ceiling))
     problems.push_back(format +
-                       " has no limit for the upper end of a delta but its switches, which let the tool up to z = " +
-                       roundedUp(ceiling, 6) + " m, and the region ends at z = " + roundedDown(top, 6) +
-                       " m; give a region that ends above (with " + remedies.limits_off +
+                       " has no limit for the upper end of a delta but its switches, which let the tool up to " +
+                       roundedUp(ceiling, 6) + " m above its zero, and the region ends " + roundedDown(top, 6) +
+                       " m above it; the zero is at " + inMetres(origin) + " of the root link (" + remedies.origin +
+                       "); give a region that ends above (with " + remedies.limits_off +
                        ": the switches hold those limits), or " + remedies.by_slicer);
 }
 
@@ -140,8 +147,9 @@ HeldRegion ExportTask::held() const
   for (int axis = isCylinder() ? 2 : 0; axis < 3; ++axis)
   {
     const Interval half = Interval(0.5) * Interval(solid.dimensions[isCylinder() ? 0 : static_cast<std::size_t>(axis)]);
-    held.box.lower[axis] = (Interval(solid.center[axis]) - half).upper();
-    held.box.upper[axis] = (Interval(solid.center[axis]) + half).lower();
+    const Interval center = Interval(solid.center[axis]) - Interval(origin[axis]);
+    held.box.lower[axis] = (center - half).upper();
+    held.box.upper[axis] = (center + half).lower();
   }
   return held;
 }

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pkm_workspace/dexterity/point_evaluation.h"
+#include "pkm_workspace/dexterity/workspace_bounds.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/path.h"
 #include "pkm_workspace/region/polytope.h"
+#include "pkm_workspace/report/binding_limit.h"
 #include "pkm_workspace/report/placement_sentence.h"
 #include "pkm_workspace/report/rates_sentence.h"
 
@@ -29,6 +32,11 @@ std::shared_ptr<Workpiece> movesOf(const PlacementTask& task)
     throw std::invalid_argument("there is nothing to be placed: the path has no segment");
   workpiece->moves.close();
   return workpiece;
+}
+
+std::string nearlyInMetres(const Vector3d& v)
+{
+  return "(" + nearly(v.x(), 6) + ", " + nearly(v.y(), 6) + ", " + nearly(v.z(), 6) + ") m";
 }
 
 /// The middle of its bounds, or of their lowest face.
@@ -108,6 +116,38 @@ void standOn(double base_z, double lowest, PlacementQuery& query)
   translations.lower.z() = translations.upper.z() = z;
   query.translations = translations;
 }
+/// " All of the set is within x -0.1 to 0.1 m, z 0.7 to 1.2 m.", along the axes where it has ends.
+std::string extentOf(const Machine& machine, const Criterion& criterion)
+{
+  const Box all = boundsOfSet(machine, criterion);
+  std::string text;
+  for (int axis = 0; axis < 3 && all.isValid(); ++axis)
+    if (std::isfinite(all.lower[axis]) && std::isfinite(all.upper[axis]))
+      text += std::string(text.empty() ? " All of the set is within " : ", ") + "xyz"[axis] + " " +
+              bracket(all.lower[axis], all.upper[axis]) + " m";
+  return text.empty() ? "" : text + ".";
+}
+
+/// Where there is no place: what is in the way, at a point of the workpiece and a translation that brings its bounds as
+/// near to the middle of the set as translations may.
+std::string whyNowhere(const Machine& machine, const PlacementReport& report)
+{
+  const Criterion& criterion = report.query.criterion;
+  const Workpiece& workpiece = *report.query.workpiece;
+  const Box all = boundsOfSet(machine, criterion);
+  const bool is_bounded = all.isValid() && all.lower.allFinite() && all.upper.allFinite();
+  Vector3d moved = (is_bounded ? all.center() : machine.zero()) - workpiece.bounds().center();
+  if (const auto& translations = report.query.translations)
+    moved = moved.cwiseMax(translations->lower).cwiseMin(translations->upper);
+  const Vector3d point =
+      moved + (workpiece.solid ? workpiece.reference : mid(workpiece.moves.curve(PathTree::Part{}).point(0.0)));
+  const PointEvaluation there = evaluatePoint(machine, criterion, point);
+  std::string text = extentOf(machine, criterion);
+  if (there.verdict == BoxVerdict::OUTSIDE)
+    text += " For instance, moved by " + nearlyInMetres(moved) + ", a point of it is at " + nearlyInMetres(point) +
+            ": " + describe(there.binding(), machine) + ".";
+  return text;
+}
 }  // namespace
 
 PlacementReport place(const Machine& machine, const PlacementTask& task)
@@ -122,8 +162,11 @@ PlacementReport place(const Machine& machine, const PlacementTask& task)
   if (task.base_z)
     standOn(*task.base_z, workpiece->lowest(), report.query);
   report.placement = findPlacement(machine, report.query);
-  report.message = withRemark(describe(report.placement, machine, report.query),
-                              task.rates.isHeld() ? speedsNotHeld(limits, machine, task.rates.joint_speeds_off) : "");
+  const LargestRegion& found = report.placement.found;
+  const bool is_nowhere = found.size == 0.0 && found.size_upper_bound == 0.0;
+  report.message =
+      withRemark(describe(report.placement, machine, report.query) + (is_nowhere ? whyNowhere(machine, report) : ""),
+                 task.rates.isHeld() ? speedsNotHeld(limits, machine, task.rates.joint_speeds_off) : "");
   report.message = withRemark(report.message, remarkOnLimits(machine, task.query.criterion, std::nullopt));
   return report;
 }

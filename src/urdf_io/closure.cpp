@@ -86,7 +86,7 @@ Candidates namedCandidates(const Model& model, const std::array<Rail, 3>& rails,
   {
     const auto found = findLink(name, stations);
     if (model.tree->links_.count(name) == 0)
-      complain(problems, "tcp_links names '", name, "', which is no link; the links are: ", linksOf(model));
+      complain(problems, "tcp_links names '", name, "', which is not a link; the links are: ", linksOf(model));
     else if (!found)
       complain(problems, "tcp_links names link '", name, "', which no rail carries");
     else if (!candidates[found->first].empty())

@@ -110,7 +110,7 @@ void parse(const std::string& xml, tinyxml2::XMLDocument& xml_document, Problems
   if (xml_document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
     complain(problems, "line ", xml_document.ErrorLineNum(), ": elements are nested deeper than ", DEEPEST_ELEMENT);
   else if (xml_document.Error())
-    complain(problems, "the text is no well-formed XML: ", xml_document.ErrorStr());
+    complain(problems, "the text is not well-formed XML: ", xml_document.ErrorStr());
   throwRefusal(problems);
 }
 

@@ -66,10 +66,10 @@ void checkElements(const Place& place, std::vector<Notice>& warnings)
   {
     const auto known = knownElements().find(child->Name());
     if (known == knownElements().end())
-      warn(std::string("<") + child->Name() + "> is no element of a joint and not used");
+      warn(std::string("<") + child->Name() + "> is not an element of a joint and not used");
     for (auto* it = child->FirstAttribute(); it != nullptr && known != knownElements().end(); it = it->Next())
       if (std::find(known->second.begin(), known->second.end(), it->Name()) == known->second.end())
-        warn(std::string("<") + child->Name() + " " + it->Name() + "> is no attribute of it and not used");
+        warn(std::string("<") + child->Name() + " " + it->Name() + "> is not an attribute of it and not used");
   }
 }
 
@@ -108,7 +108,7 @@ void checkAxis(const Place& place)
   }
   const auto direction = vectorOf(axis, "xyz");
   if (direction && direction->isZero(0.0))
-    place.complain("<axis xyz> = 0 0 0 is no direction, expected a vector of any length but 0");
+    place.complain("<axis xyz> = 0 0 0 is not a direction, expected a vector of any length but 0");
 }
 
 void checkLimitEnds(const Place& place, const XMLElement& limit)

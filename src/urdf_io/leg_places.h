@@ -36,7 +36,7 @@ struct LegPlaces
 LegPlaces placesOf(const LegNumbers& numbers);
 
 /// A described leg: a yaw and a radius lead to its rail, and its strut is as long as the description says to the last
-/// digit. Angles of the strut at zero are rounded to 1e-9 rad, and so are turned drawings of it: they are no part of
+/// digit. Angles of the strut at zero are rounded to 1e-9 rad, and so are turned drawings of it: they are not part of
 /// the machine.
 struct DescribedLeg
 {

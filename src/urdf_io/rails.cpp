@@ -30,7 +30,7 @@ void checkNamed(const Model& model, const std::vector<std::string>& names, Probl
              "), expected three of the prismatic joints: ", list);
   for (auto name = names.begin(); name != names.end(); ++name)
     if (model.tree->joints_.count(*name) == 0)
-      complain(problems, "rails names '", *name, "', which is no joint; the prismatic joints are: ", list);
+      complain(problems, "rails names '", *name, "', which is not a joint; the prismatic joints are: ", list);
     else if (model.joint(*name).type != urdf::Joint::PRISMATIC)
       complain(problems, "rails names joint '", *name, "', which is ", typeOf(model.joint(*name)),
                "; the prismatic joints are: ", list);

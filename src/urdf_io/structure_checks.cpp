@@ -88,7 +88,7 @@ void checkMimics(const XMLElement& robot, Problems& problems)
     if (source == nameOf(*joint))
       complain(problems, "joint '", source, "': <mimic> follows the joint itself, expected another joint");
     else if (joints.count(source) == 0)
-      complain(problems, "joint '", nameOf(*joint), "': <mimic> follows '", source, "', which is no joint");
+      complain(problems, "joint '", nameOf(*joint), "': <mimic> follows '", source, "', which is not a joint");
     else
       followed.emplace(nameOf(*joint), source);
   }

@@ -13,7 +13,7 @@ IntervalVector toolAt(const std::string& link, const Model& model, const std::ar
   Problems problems;
   const auto found = findLink(link, stations);
   if (model.tree->links_.count(link) == 0)
-    complain(problems, "tool_link names '", link, "', which is no link; the links are: ", linksOf(model));
+    complain(problems, "tool_link names '", link, "', which is not a link; the links are: ", linksOf(model));
   else if (!found)
     complain(problems, "tool_link names link '", link, "', which no rail carries; expected one fixed to the platform");
   else if (!found->second->isOnPlatform())

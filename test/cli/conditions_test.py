@@ -96,7 +96,7 @@ class Conditions(CommandTest):
             (("--strut-angle-min", 0.7, "--strut-angle-max", 0.5), "strut_angle_max = 0.5 .*must be at least "
                                                                      "strut_angle_min = 0.7"),
             (("--tool-force-min", "nan"), "--tool-force-min"),
-            (("--ball-axes", 0, 0, 0), "ball_axes: .*no direction"),
+            (("--ball-axes", 0, 0, 0), "ball_axes: .*not a direction"),
         ):
             process = run("largest", "--urdf", ORTHOGLIDE, *words)
             self.assertEqual(process.returncode, 2, words)

@@ -28,6 +28,20 @@ class Export(CommandTest):
             source = self.file("config.g", re.sub(r"(?m)^(M666 .*?) A\S+ B\S+", r"\1", source.read_text()))
         return self.file(f"{form}.urdf", self.text("import", source))
 
+    def raised(self, form):
+        """The machine, moved in its root frame."""
+        tree = ElementTree.parse(self.delta(form)).getroot()
+        root = {link.get("name") for link in tree.findall("link")}
+        root -= {joint.find("child").get("link") for joint in tree.findall("joint")}
+        for joint in tree.findall("joint"):
+            if joint.find("parent").get("link") in root:
+                origin = joint.find("origin")
+                if origin is None:
+                    origin = ElementTree.SubElement(joint, "origin", xyz="0 0 0")
+                place = [float(x) for x in origin.get("xyz", "0 0 0").split()]
+                origin.set("xyz", " ".join(repr(a + b) for a, b in zip(place, (0.25, -0.125, 0.75))))
+        return ElementTree.tostring(tree, encoding="unicode")
+
     def export(self, form, *words, urdf=None):
         return self.text("export", "--urdf", urdf or self.delta(form), "--psi", "auto", *words, "--format", form)
 
@@ -65,6 +79,29 @@ class Export(CommandTest):
         for fact in ("Machine 'klipper_delta', geometry ", "radius 0.06 m", "Proved: every point of the cylinder is",
                      "velocity transmission factors in ["):
             self.assertIn(fact, text)
+
+    def test_limits_are_seen_from_the_controller_s_zero(self):
+        """The same machine on a mount, with its zero at that: the same limits."""
+        raised = self.file("raised.urdf", self.raised("klipper"))
+        plain = self.export("klipper", *CYLINDER, "--joint-limits", "off")
+        moved = ("--center", 0.25, -0.125, 0.91, *CYLINDER[4:], "--joint-limits", "off")
+        there = self.export("klipper", *moved, "--origin", 0.25, -0.125, 0.75, urdf=raised)
+        for pattern in (RADIUS, LOWEST):
+            self.assertAlmostEqual(float(re.search(pattern["klipper"], there)[1]),
+                                   float(re.search(pattern["klipper"], plain)[1]), delta=0.002)
+        self.assertIn("zero is taken to be at (0.25, -0.125, 0.75) m of the frame", " ".join(there.split()))
+        for words, reason in ((moved, "about another axis cannot be held; give a --center above the --origin"),
+                              (("--center", 0.25, -0.125, 0.8, *moved[4:], "--origin", 0.25, -0.125, 0.2),
+                               "let the tool up to 0.8.* above its zero, and the region ends 0.7.* m above it; the "
+                               "zero is at .0.25, -0.125, 0.2. m of the root link"),
+                              ((*moved, "--origin", 0, 0, 1e10), "out of range; allowed: a number .m. within")):
+            process = run("export", "--urdf", raised, "--psi", "auto", *words, "--format", "klipper")
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, reason)
+        box = self.text("export", "--urdf", raised, "--psi", "auto", "--center", 0.25, -0.125, 0.85, *BOX[4:],
+                        "--origin", 0.25, -0.125, 0.75, "--joint-limits", "off", "--format", "linuxcnc")
+        self.assertEqual([round(float(x)) for x in re.findall(r"(?m)^M.._LIMIT = (\S+)$", box)],
+                         [-40, 40, -40, 40, 50, 150])
 
     def test_written_limits_are_imported_again(self):
         """Klipper's file with the new limits in place of its own: the lowest carriages follow from them."""

@@ -173,7 +173,7 @@ class WithRs274(GcodeTest):
         text = self.refusal()
         self.assertIn("job.ngc:5: RIGID_TAP(1.0, 2.0, 3.0) is not among the calls", text)
         self.assertIn("job.ngc:6: no feed is in effect", text)
-        self.assertIn("job.ngc:6: rs274 prints 'nonsense', which is no call", text)
+        self.assertIn("job.ngc:6: rs274 prints 'nonsense', which is not a call", text)
         self.assertIn("whether a line behind / counts", self.refusal("G0 X1", "/G0 X2"))
 
     def test_it_is_killed_when_the_time_is_up(self):

@@ -49,7 +49,8 @@ OPTIONS = {
     "guarantee": MACHINE | BUDGET | COMMON | BODY | (JOINT_DATA - {"strut-tilt-max"})
     | {"center", "aspect", "accuracy", "quantity"},
     "tolerate": MACHINE | CRITERION | BUDGET | COMMON | BODY | {"center", "accuracy"},
-    "export": MACHINE | CRITERION | COMMON | BODY | {"time-limit", "center", "format", "top-by-slicer", "output"},
+    "export": MACHINE | CRITERION | COMMON | BODY
+    | {"time-limit", "center", "format", "origin", "top-by-slicer", "output"},
     "import": COMMON | TOLERANCES | {"file", "format", "name", "output"},
     "urdf": COMMON | TOLERANCES | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda",
                       "output", "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",

@@ -95,8 +95,8 @@ class Import(CommandTest):
                          .replace("kinematics: delta", "kinematics: scara"))
         process = run("import", path, "--output", self.folder / "x.urdf")
         self.assertEqual((process.returncode, process.stdout), (2, ""))
-        self.assertRegex(process.stderr, r"pkm: .*wrong.cfg:8: printer kinematics = 'scara' is no linear delta")
-        self.assertRegex(process.stderr, r"pkm: .*wrong.cfg:58: stepper_a angle = 'left' is no number; allowed: ")
+        self.assertRegex(process.stderr, r"pkm: .*wrong.cfg:8: printer kinematics = 'scara' is not a linear delta")
+        self.assertRegex(process.stderr, r"pkm: .*wrong.cfg:58: stepper_a angle = 'left' is not a number; allowed: ")
         self.assertFalse((self.folder / "x.urdf").exists())
         for words, reason in ((("import",), "--file FILE: the option is missing"),
                               (("import", path, path), "needs one value"),

@@ -67,7 +67,20 @@ class PathSpeed(CommandTest):
         for feed in feeds:
             self.assertLessEqual(feed["upper"], 1.0011 * feed["lower"])
             self.assertEqual(feed["limit"], "joint_speed_max")
+        text = self.text(*self.words("start 0 0 0", "line 0 0 0.01", "line 0.02 0 0.01", "line 0.05 0 0.01",
+                                     options=("--psi", "auto", "--largest-feed")))
+        rows = re.findall(r"(?m)^  line 'line .*' \(line\) +(\S+) to (\S+) m/s +speed of '(tower_\d)'$", text)
+        self.assertEqual([row[2] for row in rows], [feed["joint"] for feed in feeds])
+        for row, feed in zip(rows, feeds):
+            self.assertAlmostEqual(float(row[0]), feed["lower"], delta=1e-4)
+            self.assertAlmostEqual(float(row[1]), feed["upper"], delta=1e-4)
+        many = [f"line {0.0001 * (k * 7 % 23):.4f} 0 0.01" for k in range(1, 23)]
+        text = self.text(*self.words("start 0 0 0.01", *many, options=("--psi", "auto", "--largest-feed")))
+        self.assertIn("The 10 slowest of 22 segments (--json has them all):", text)
+        lowers = [float(x) for x in re.findall(r"(?m)^  line '.* \(line\) +(\S+) to \S+ m/s", text)]
+        self.assertEqual((len(lowers), lowers), (10, sorted(lowers)))
         text = self.text(*self.words("start 0 0 0", "line 0.02 0 0", options=("--psi", "auto", "--largest-feed")))
+        self.assertNotIn("limited by", text)
         self.assertRegex(text, r"(?m)^  largest feed +0\.\d+ to 0\.\d+ m/s$")
         self.assertRegex(text, r"(?m)^  acceleration of 'tower_3' +up to \S+ m/s\^2$")
 

@@ -84,7 +84,7 @@ class Pave(CommandTest):
     def test_budget_ends_with_an_honest_bracket(self):
         for budget, ended_by in ((("--max-boxes", 1000), "the limit of 1000 boxes"),
                                  (("--max-memory", 100000), "its share of the limit of 100000 bytes of memory"),
-                                 (("--time-limit", 1e-6), "its share of the time limit of 1e-06 s")):
+                                 (("--time-limit", 1e-6), "5e-07 s, its share of the time limit of 1e-06 s")):
             with self.subTest(budget):
                 answer = self.pave(ORTHOGLIDE, *budget)
                 self.assertEqual(answer["ended_by"], ended_by)
@@ -150,6 +150,7 @@ class Pave(CommandTest):
         self.assertRegex(refusal(URANESX), REFUSED + f"geometry hash: .*{hashes[0]}.*{hashes[1]}")
         self.assertRegex(refusal(ORTHOGLIDE, "--psi-max", 3), REFUSED + r"criterion: .*\[0.5, 2\].*\[0.5, 3\]")
         self.assertRegex(refusal(ORTHOGLIDE, "--box", 0, 1, 0, 1, 0, 1), REFUSED + "box: ")
+        self.assertEqual(refusal(ORTHOGLIDE, "--psi-max", 3).count("the earlier paving is of"), 1)
         file.write_bytes(content[:-100])
         self.assertRegex(refusal(ORTHOGLIDE), REFUSED + "it has .* bytes .*cut")
         file.write_bytes(content[:-100] + b"x" + content[-99:])

@@ -5,6 +5,7 @@
 import itertools
 import math
 import random
+import re
 import unittest
 
 from pkm import ORTHOGLIDE, CommandTest, run
@@ -134,6 +135,17 @@ class Place(CommandTest):
         self.assertIn("seen from its reference (5, 5, 5) m",
                       self.refused("--vertices", part, "--largest-scale", "--reference", 5, 5, 5))
         self.assertIn("line 0.1 0", self.refused("--segment", "start 0 0 0", "--segment", "line 0.1 0"))
+
+    def test_no_place_is_told_with_what_is_in_the_way(self):
+        answer = self.answer("place", "--urdf", ORTHOGLIDE, "--segment", "start 0 0 0", "--segment", "line 0.1 0 0",
+                             "--base-z", 5)
+        self.assertEqual((answer["status"], answer["margin_upper_bound"]), ("none", 0))
+        self.assertRegex(answer["message"],
+                         r"Proved: there is no translation .* All of the set is within x \S+ to \S+ m,"
+                         r" y \S+ to \S+ m, z \S+ to \S+ m\. For instance, moved by \(.*, 5\) m, a point of it is at "
+                         r"\(.*, 5\) m: the strut of 'rail_\w' is 1 m long and would have to reach")
+        extent = [float(x) for x in re.findall(r"[xyz] (\S+) to (\S+) m", answer["message"])[2]]
+        self.assertTrue(-2 < extent[0] < -0.5 and 0.5 < extent[1] < 2, extent)
 
 
 if __name__ == "__main__":

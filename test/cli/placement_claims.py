@@ -2,11 +2,12 @@
 """What is said of where a path fits, against the oracle at points of it, moved by what the margin allows."""
 
 import itertools
+import re
 
 import rate_claims
 from claims import QUALITY, numbers, on, row, segments
-from oracle import BAD, plus
-from reasons import N, hold
+from oracle import BAD, GOOD, plus
+from reasons import N, hold, reason
 
 GOOD = (rf"every point of the path is {QUALITY}(?P<rates>, and at (?:\S+ m/s|its feeds) the joints keep within their "
         r"limits of (?:speed|acceleration|speed and acceleration))?")
@@ -21,8 +22,11 @@ SCALED = (rf" Proved: scaled about \((?P<about>\S+, \S+, \S+)\) m and then moved
 UNSCALED = (rf" Proved: no translation is such that every point of the path is {QUALITY} at all scales from [01] to "
             r"one above (?P<none_above>[\d.e+-]+?)\.")
 STOPPED = r"(?: [A-Z][^:]* ended the search: [^.]*\.| The accuracy is below what [^.]*\.)?"
+WHY = (r"(?: All of the set is within (?P<extent>(?:[xyz] \S+ to \S+ m(?:, )?)+)\.)?"
+       r"(?: For instance, moved by \(\S+, \S+, \S+\) m, a point of it is at \((?P<bad>\S+, \S+, \S+)\) m: "
+       r"(?P<why>.*?)\.)?")
 PLACEMENT = (rf"(?:(?P<placed>{PLACED})|(?P<nowhere>{NOWHERE.replace('?P<rates>', '?P<no_rates>')})|(?P<open>{OPEN}))"
-             rf"{STOPPED}(?:(?:{SCALED}|{UNSCALED}){STOPPED})?"
+             rf"{STOPPED}(?:(?:{SCALED}|{UNSCALED}){STOPPED})?{WHY}"
              rf"{rate_claims.NOT_HELD}(?: (?P<remark>Joint limits are off: .*))?")
 SAMPLES = 12  # of a segment, corners of the margin at each
 
@@ -89,7 +93,20 @@ def placement(case, match):
             hold(is_bad(case, place, bound + 0.02 * span), "the margin is above", bound, "at", place)
     if match["remark"]:
         hold("not proved" in match["remark"], match["remark"])
+    if match["why"]:  # the point is told to six digits
+        reason(case, match["why"], [float(x) for x in match["bad"].split(", ")], 1e-5 * span)
+    if match["extent"]:
+        within(case, match["extent"])
     scales(case, match)
+
+
+def within(case, extent):
+    """No good point of a grid is beyond the bounds."""
+    bounds = re.findall(r"([xyz]) (\S+) to (\S+) m", extent)
+    steps = [case.machine.span * k / 3 for k in range(-5, 6)]
+    for point in itertools.product(steps, repeat=3):
+        if any(not float(lower) <= point["xyz".index(axis)] <= float(upper) for axis, lower, upper in bounds):
+            hold(case.machine.verdict(point, case.criterion) != GOOD, point, "is good, beyond", extent)
 
 
 def scales(case, match):

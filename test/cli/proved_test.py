@@ -207,6 +207,18 @@ class Proved(CommandTest):
                 to = [x + self.rng.uniform(-spread, spread) for x in center]
                 self.held(name, "connect", "--to", *to, *factors, point=to)
 
+    def test_a_start_at_joint_limits(self):
+        """The zero configuration stands at the lower limits: rounding puts a joint below."""
+        urdf = self.machine("--linear-delta", "--rail-radius", 0.13, "--angle", 0, 120.4, 239.7,
+                            "--platform-radius", 0.03, "--length", 0.269, 0.2688, 0.2691, "--travel", 0, 0.35,
+                            "--mount", 0, 0, 0.75)
+        words = ("connect", "--urdf", urdf, "--to", 0.02, 0, 0.9)
+        answer = self.answer(*words, "--psi", "auto")
+        self.assertEqual(answer["verdict"], "connected")
+        joints = self.answer("evaluate", "--urdf", urdf, "--point", *answer["from"])["rho"]
+        self.assertTrue(all(0 < joint < 1e-9 for joint in joints), joints)
+        self.assertIn("the zero configuration: give --from X Y Z", self.answer(*words)["message"])
+
     def test_means(self):
         for name in self.urdfs:
             center = self.good_point(SimpleNamespace(machine=self.machines[name]))

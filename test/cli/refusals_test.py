@@ -179,7 +179,7 @@ REFUSALS = [
     (LARGEST + "--tool 0 1", r"--tool 0 1: needs 3 values \(X Y Z\), got 2"),
     (LARGEST + "--tool 0 0 inf", "--tool 0 0 inf: inf is not a finite number"),
     ("compare --tool 0 0 1 --urdf x", "--tool 0 0 1: give it after the --urdf FILE that it is about"),
-    (LARGEST + "--tool-link drill", "tool_link names 'drill', which is no link"),
+    (LARGEST + "--tool-link drill", "tool_link names 'drill', which is not a link"),
     (COMPARE + "--psi auto", "--psi: there is no such option"),
     ("urdf --orthoglide --uranesx", "only one of --linear-delta, --from, --template, --orthoglide, --uranesx and"),
     ("urdf --uranesx --travel 0 1", "--uranesx, --travel 0 1: this machine has no such dimension: --travel"),

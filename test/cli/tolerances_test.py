@@ -51,7 +51,8 @@ class Tolerances(CommandTest):
             answer.pop("seconds")
         self.assertEqual(given, read)
         odd = self.file("odd.yaml", "tolerance_slider: wide\ntolerance_depth: 1\ntolerance_length: -1\n")
-        for reason in ("odd.yaml:1.*'wide' is no number", "odd.yaml:2.*tolerance_depth", "odd.yaml:3.*from 0 to 1000"):
+        for reason in ("odd.yaml:1.*'wide' is not a number", "odd.yaml:2.*tolerance_depth",
+                       "odd.yaml:3.*from 0 to 1000"):
             self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerances", odd), reason)
 
     def test_every_command_takes_them(self):

@@ -69,7 +69,7 @@ class Zones(CommandTest):
         def refused(pattern, *words):
             self.assertRefused(pattern, "largest", "--urdf", ORTHOGLIDE, *words)
 
-        refused(r"--keep-out cube 0 0 0 1: 'cube' is no kind of zone; these are: box, cylinder, sphere, half_space",
+        refused(r"--keep-out cube 0 0 0 1: 'cube' is not a kind of zone; these are: box, cylinder, sphere, half_space",
                 "--keep-out", "cube", 0, 0, 0, 1)
         refused(r"--keep-out box 0 0 0 1 1: needs 6 numbers, got 5; give box X Y Z SX SY SZ",
                 "--keep-out", "box", 0, 0, 0, 1, 1)
@@ -80,7 +80,8 @@ class Zones(CommandTest):
         refused(r"tool_radius = 0.1 m is without effect", "--tool-radius", 0.1)
         refused(r"a tool of radius 0.2 m leaves nothing of it", *ROOM, "--tool-radius", 0.2)
         refused(r"at most 32 are allowed", *(33 * PILLAR))
-        refused(r"zones\.yaml:2: 'cube' is no kind", "--zones", self.file("zones.yaml", "keep_in:\n  - {kind: cube}"))
+        refused(r"zones\.yaml:2: 'cube' is not a kind", "--zones",
+                self.file("zones.yaml", "keep_in:\n  - {kind: cube}"))
         refused(r"the file has a tool_radius", "--tool-radius", 0.1, "--zones", self.file("zones.yaml", FILE))
 
     def test_a_room_bounds_what_goes_on_along_the_rails(self):

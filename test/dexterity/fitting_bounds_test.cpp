@@ -8,6 +8,7 @@
 #include "pkm_workspace/dexterity/defaults.h"
 #include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
+#include "support/expect_throw.h"
 #include "support/random.h"
 
 namespace pkm_workspace
@@ -54,6 +55,26 @@ TEST(FittingBounds, ofALinearDeltaHoldInItsMiddle)
       << remark;
   EXPECT_NE(remark.find("its factors are 0.489 to 1.73 there. --psi auto asks for [0.25, 3.9]"), std::string::npos)
       << remark;
+}
+
+// Where zones leave the middle out, the bounds are those of what is left.
+TEST(FittingBounds, heedZones)
+{
+  Criterion criterion = defaultCriterion();
+  const double anywhere = fittingBounds(uranesx(), criterion)->psi_max;
+  Zone zone;
+  zone.use = Zone::Use::KEEP_IN;
+  zone.kind = ZoneKind::HALF_SPACE;
+  zone.pose.translation = Vector3d(0.35, 0.0, 0.0);
+  zone.normal = Vector3d(1.0, 0.0, 0.0);
+  criterion.zones = { zone };
+  const auto there = fittingBounds(uranesx(), criterion);
+  ASSERT_TRUE(there);
+  EXPECT_GE(there->point.x(), 0.35 - 1e-9);
+  EXPECT_GT(there->psi_max, anywhere);
+  criterion.zones[0].pose.translation.x() = 9.0;
+  EXPECT_FALSE(fittingBounds(uranesx(), criterion));
+  test::expectThrow<std::invalid_argument>([&] { chooseBounds(uranesx(), criterion); }, "all other conditions, zones");
 }
 
 // No point of a crowd has factors nearer to 1 than the best point, but for the last steps of its search.

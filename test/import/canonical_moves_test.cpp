@@ -221,7 +221,7 @@ TEST_F(CanonicalMoves, WhatIsNotReadIsRefused)
   expectRefused("1 N5     SELECT_PLANE(CANON_PLANE_UNKNOWN)", "arguments are not those");
   expectRefused("1 N0     SELECT_PLANE(CANON_PLANE_XY)", "N0 is read");
   for (const char* const printed : { "PLUGIN_CALL(3)", "5 N..... ", "5 STRAIGHT_FEED(1)", "", "5 N5 (1)", "5 N5 A)1(" })
-    expectRefused(printed, "which is no call that this reader knows");
+    expectRefused(printed, "which is not a call that this reader knows");
 }
 
 TEST_F(CanonicalMoves, FeedsByTheTurnAreRefused)

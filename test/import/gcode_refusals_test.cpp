@@ -29,9 +29,9 @@ TEST(GcodeJob, WhatIsNotInTheSubsetIsRefused)
   expectRefused("G1 D5", "D5 is not among the words");
   expectRefused("G1 X1 X2", "X is given twice");
   expectRefused("G1 X", "X has no number");
-  expectRefused("G X1", "G is no code");
-  expectRefused("G1.25 X1", "G1.25 is no code");
-  expectRefused("G1 X1..2", "is no number");
+  expectRefused("G X1", "G is not a code");
+  expectRefused("G1.25 X1", "G1.25 is not a code");
+  expectRefused("G1 X1..2", "is not a number");
   expectRefused("G1 X-", "it has no digits");
   expectRefused("G1 X1e-3", "is E a word of its own");
   expectRefused("G1 X1 2", "'2' begins no word");
@@ -69,9 +69,9 @@ TEST(GcodeJob, WhatContradictsItselfIsRefused)
   expectRefused("G2 X1", "an arc needs its center");
   expectRefused("G2 X2 R1 I1", "an arc needs its center");
   expectRefused("G2 X1 R1", "must end beside its start");
-  expectRefused("G2 X2 K1", "K is no axis of the plane in effect (G17)");
-  expectRefused("G18 G2 X2 J1", "J is no axis of the plane in effect (G18)");
-  expectRefused("G19 G2 Y2 I1", "I is no axis of the plane in effect (G19)");
+  expectRefused("G2 X2 K1", "K is not an axis of the plane in effect (G17)");
+  expectRefused("G18 G2 X2 J1", "J is not an axis of the plane in effect (G18)");
+  expectRefused("G19 G2 Y2 I1", "I is not an axis of the plane in effect (G19)");
   expectRefused("G90.1 G2 X2 I1", "J is missing");
   expectRefused("G2 X2 I1 P0", "P0 must be a whole number from 1");
 }

@@ -130,7 +130,7 @@ TEST(Klipper, EveryFaultIsToldAtOnce)
   text = edited(text, "delta_radius: 130.5 ", "delta_radius: -130.5");
   expectImportRefused(text,
                       "(.|\n)*machine.cfg:12: printer delta_radius = '-130.5'(.|\n)*"
-                      "machine.cfg:25: stepper_a arm_length = 'long' is no number");
+                      "machine.cfg:25: stepper_a arm_length = 'long' is not a number");
 }
 
 TEST(Klipper, WrongKindsAndRadiiAreRefused)
@@ -139,19 +139,19 @@ TEST(Klipper, WrongKindsAndRadiiAreRefused)
       plainKlipper(),
       {
           { "kinematics: delta\n", "kinematics: corexy\n",
-            "machine.cfg:8: .*'corexy' is no linear delta; allowed: delta" },
+            "machine.cfg:8: .*'corexy' is not a linear delta; allowed: delta" },
           { "kinematics: delta\n", "", "\\[printer\\] kinematics is missing; expected kinematics: delta" },
-          { "kinematics: delta\n", "kinematics: rotary_delta\n", "'rotary_delta' is no linear delta" },
+          { "kinematics: delta\n", "kinematics: rotary_delta\n", "'rotary_delta' is not a linear delta" },
           { "delta_radius: 130.5 ", "", "printer delta_radius is missing|neither a" },
-          { "delta_radius: 130.5 ", "delta_radius: ", "cfg:12: printer delta_radius = '' is no number" },
+          { "delta_radius: 130.5 ", "delta_radius: ", "cfg:12: printer delta_radius = '' is not a number" },
           { "delta_radius: 130.5 ", "delta_radius: 130,5",
-            "'130,5' is no number; allowed: a decimal number.*1 to 100000 mm" },
-          { "delta_radius: 130.5 ", "delta_radius: 130.5mm ", "'130.5mm' is no number.*without its unit" },
-          { "delta_radius: 130.5 ", "delta_radius: inf", "'inf' is no number" },
-          { "delta_radius: 130.5 ", "delta_radius: nan", "'nan' is no number" },
-          { "delta_radius: 130.5 ", "delta_radius: 1e999", "'1e999' is no number" },
+            "'130,5' is not a number; allowed: a decimal number.*1 to 100000 mm" },
+          { "delta_radius: 130.5 ", "delta_radius: 130.5mm ", "'130.5mm' is not a number.*without its unit" },
+          { "delta_radius: 130.5 ", "delta_radius: inf", "'inf' is not a number" },
+          { "delta_radius: 130.5 ", "delta_radius: nan", "'nan' is not a number" },
+          { "delta_radius: 130.5 ", "delta_radius: 1e999", "'1e999' is not a number" },
           { "delta_radius: 130.5 ", "delta_radius: 0.1305", "'0.1305' mm is out of range.*check its unit" },
-          { "delta_radius: 130.5 ", "delta_radius: 0x82", "'0x82' is no number" },
+          { "delta_radius: 130.5 ", "delta_radius: 0x82", "'0x82' is not a number" },
           { "delta_radius: 130.5 ", "delta_radius: 1e6", "'1e6' mm is out of range; allowed: from 1 to 100000 mm" },
           { "delta_radius: 130.5 ", "delta_radius: 300", "arm of stepper_a, 0.269 m, must be longer than.*0.3 m" },
           { "delta_radius: 130.5 ", "delta_radius: 269.0", "must be longer than the radius" },
@@ -170,7 +170,7 @@ TEST(Klipper, MalformedFilesAreRefused)
           { "position_endstop: 297.05\n", "position_endstop: -3\n", "z = -0.003 m, must be above its lowest place" },
           { "angle: 89.7", "angle: 330.5", "cfg:25: stepper_b and stepper_c stand at 330 and 330.5 degrees" },
           { "angle: 89.7", "angle: 1570", "'1570' degrees is out of range; allowed: from -360 to 360 degrees" },
-          { "angle: 89.7", "angle: north", "'north' is no number" },
+          { "angle: 89.7", "angle: north", "'north' is not a number" },
           { "[stepper_c]", "[stepper_c", "cfg:32: '\\[stepper_c' begins a section that has no name or no end" },
           { "[mcu]", "serial 1\n[mcu]", "cfg:4: 'serial 1' is neither a \\[section\\] nor a key with a value" },
           { "[include macros.cfg]", "speed: 5", "cfg:2: 'speed' stands before the first \\[section\\]" },

@@ -147,42 +147,43 @@ TEST(LinuxCnc, TellsWhatItTookAndWhatNot)
 TEST(LinuxCnc, MalformedIniFilesAreRefused)
 {
   expectIniEditsRefused({
-      { "= lineardeltakins", "= trivkins", "ini:16: KINS KINEMATICS = 'trivkins' is no linear delta; allowed: linear" },
-      { "= lineardeltakins", "= rotarydeltakins", "'rotarydeltakins' is no linear delta" },
+      { "= lineardeltakins", "= trivkins",
+        "ini:16: KINS KINEMATICS = 'trivkins' is not a linear delta; allowed: linear" },
+      { "= lineardeltakins", "= rotarydeltakins", "'rotarydeltakins' is not a linear delta" },
       { "KINEMATICS = lineardeltakins\n", "", "\\[KINS\\] KINEMATICS is missing; expected lineardeltakins" },
       { "LINEAR_UNITS = mm\n", "", "\\[TRAJ\\] LINEAR_UNITS is missing; expected mm or inch" },
-      { "LINEAR_UNITS = mm", "LINEAR_UNITS = furlong", "'furlong' is no unit; allowed: mm, inch" },
+      { "LINEAR_UNITS = mm", "LINEAR_UNITS = furlong", "'furlong' is not a unit; allowed: mm, inch" },
       { "[KINS]", "[KINS", "ini:15: '\\[KINS' begins a section that has no name or no end" },
       { "JOINTS = 3", "JOINTS", "ini:17: 'JOINTS' is neither a \\[section\\] nor a key with a value" },
       { "MAX_LIMIT = 540.5\n", "", "JOINT_0 MAX_LIMIT is missing; write it into \\[JOINT_0\\]" },
       { "MIN_LIMIT = 39.5\n", "", "JOINT_2 MIN_LIMIT is missing" },
       { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 600\n",
         "upper limit of joint_2, 0.54 m, must be above the lower one, 0.6 m" },
-      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = -1e99\n", "no number; allowed|out of range" },
-      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = low\n", "ini:35: JOINT_2 MIN_LIMIT = 'low' is no number" },
-      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 39.5 mm\n", "'39.5 mm' is no number" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = -1e99\n", "not a number; allowed|out of range" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = low\n", "ini:35: JOINT_2 MIN_LIMIT = 'low' is not a number" },
+      { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 39.5 mm\n", "'39.5 mm' is not a number" },
       { "MIN_LIMIT = 39.5\n", "MIN_LIMIT = 39.5\nMIN_LIMIT = 40\n", "JOINT_2 MIN_LIMIT is given twice" },
-      { "MAX_LIMIT = 540.125", "MAX_LIMIT = inf", "'inf' is no number" },
-      { "MAX_LIMIT = 540.125", "MAX_LIMIT =", "JOINT_1 MAX_LIMIT = '' is no number" },
+      { "MAX_LIMIT = 540.125", "MAX_LIMIT = inf", "'inf' is not a number" },
+      { "MAX_LIMIT = 540.125", "MAX_LIMIT =", "JOINT_1 MAX_LIMIT = '' is not a number" },
       { "ROD = 269.0", "ROD = 0.269", "lineardeltakins.L = '0.269' mm is out of range; allowed: from 1 to 100000 mm" },
       { "ROD = 269.0", "ROD = 100",
         "arm of joint_0, 0.1 m, must be longer than the radius that it bridges, 0.13025 m" },
-      { "ROD = 269.0", "BAR = 269.0", "hal:6: lineardeltakins.L = '\\[DELTA\\]ROD' is no number" },
+      { "ROD = 269.0", "BAR = 269.0", "hal:6: lineardeltakins.L = '\\[DELTA\\]ROD' is not a number" },
   });
 }
 
 TEST(LinuxCnc, MalformedHalFilesAreRefused)
 {
   for (const Spoil& spoil :
-       std::vector<Spoil>{ { "130.25", "thirteen", "ldelta.hal:5: lineardeltakins.R = 'thirteen' is no number" },
+       std::vector<Spoil>{ { "130.25", "thirteen", "ldelta.hal:5: lineardeltakins.R = 'thirteen' is not a number" },
                            { "130.25", "-130.25", "'-130.25' mm is out of range" },
-                           { "130.25", "nan", "'nan' is no number" },
+                           { "130.25", "nan", "'nan' is not a number" },
                            { "sets R 130.25", "sets R 130.25\nsets R 131",
                              "lineardeltakins.R is given twice: '130.25' in ldelta.hal:5" },
                            { "sets R 130.25", "setp lineardeltakins.R1off 2\nsets R 130.25",
                              "R1off = '2' changes the kinematics in a way" },
-                           { "[DELTA]ROD", "[DELTA]RODS", "'\\[DELTA\\]RODS' is no number" },
-                           { "[DELTA]ROD", "", "lineardeltakins.L = '' is no number" } })
+                           { "[DELTA]ROD", "[DELTA]RODS", "'\\[DELTA\\]RODS' is not a number" },
+                           { "[DELTA]ROD", "", "lineardeltakins.L = '' is not a number" } })
     expectRefusedWith(ini(), edited(sample("ldelta.hal"), spoil.was, spoil.is), spoil.pattern);
 }
 }  // namespace

@@ -84,8 +84,9 @@ TEST(MachineFile, refusesWithLineAndReason)
   const std::pair<std::string, std::string> cases[] = {
     { "", "f.yaml:1: the file must be a list of keys with their values" },
     { "- 1\n- 2\n", "f.yaml:1: the file must be a list of keys" },
-    { "all_legs: [", "f.yaml:.*no YAML: " },
-    { changed("length: 0.269", "lenght: 0.269"), "f.yaml:1: 'lenght' is no key of all_legs; these are: angle, rail_" },
+    { "all_legs: [", "f.yaml:.*not valid YAML: " },
+    { changed("length: 0.269", "lenght: 0.269"),
+      "f.yaml:1: unknown key 'lenght' in all_legs; its keys are: angle, rail_" },
     { changed("length: 0.269", "length: 0.269, length: 0.3"), "f.yaml:1: 'length' stands a second time in all_legs" },
     { changed("length: 0.269", "length: long"), "f.yaml:1: length = 'long', expected a number \\[m\\]" },
     { changed("length: 0.269", "length: .inf"), "f.yaml:1: length = '.inf', expected a number \\[m\\]" },
@@ -105,7 +106,7 @@ TEST(MachineFile, refusesWithLineAndReason)
     { changed("length: 0.269", "length: 0.269, platform_radius: -0.03"), "platform_radius of leg 1 = -0.03 m, expec" },
     { changed("{angle: 121}", "{home_height: 1}"), "home_height is missing for leg 1, 3: other legs have one" },
     { changed("[{}, {angle: 121}", "[{}, {}, {angle: 121}"), "f.yaml:2: legs must be a list of three.*got 4" },
-    { changed("all_legs: {", "all_legs: {joint: a, "), "f.yaml:1: 'joint' is no key of all_legs" },
+    { changed("all_legs: {", "all_legs: {joint: a, "), "f.yaml:1: unknown key 'joint' in all_legs" },
     { changed("all_legs", "unit: cm\nall_legs"), "f.yaml:1: unit = 'cm', expected m or mm" },
     { std::string(SHORT_FILE) + "tool: [0, 0]\n", "f.yaml:3: tool needs 3 values in brackets \\(X Y Z\\), got 2" },
     { std::string(SHORT_FILE) + "mount: [0, 0, x]\n", "f.yaml:3: mount = 'x', expected a number \\[m\\]" },
@@ -121,7 +122,7 @@ TEST(MachineFile, refusesWithLineAndReason)
 TEST(MachineFile, saysEverythingAtOnce)
 {
   const std::string text = changedIn(changed("length: 0.269", "length: long"), "angle: 121", "angel: 121");
-  expectThrow<std::invalid_argument>([&] { readMachineText(text, "f.yaml"); }, "'angel' is no key of leg 2");
+  expectThrow<std::invalid_argument>([&] { readMachineText(text, "f.yaml"); }, "unknown key 'angel' in leg 2");
 }
 }  // namespace test
 }  // namespace pkm_workspace

@@ -100,14 +100,15 @@ TEST(Marlin, MalformedValuesAreRefused)
 {
   expectEditsRefused(
       configuration(),
-      { { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT", "cfg:31: DELTA_HEIGHT = '' is no number; allowed: a number, or a sum" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 305.5mm", "'305.5mm' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT INFINITY", "'INFINITY' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT (305.5", "'\\(305.5' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 611/2", "'611/2' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT DELTA_HEIGHT", "'DELTA_HEIGHT' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 0305", "'0305' is no number" },
-        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT system(\"true\")", "is no number" },
+      { { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT",
+          "cfg:31: DELTA_HEIGHT = '' is not a number; allowed: a number, or a sum" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 305.5mm", "'305.5mm' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT INFINITY", "'INFINITY' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT (305.5", "'\\(305.5' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 611/2", "'611/2' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT DELTA_HEIGHT", "'DELTA_HEIGHT' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 0305", "'0305' is not a number" },
+        { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT system(\"true\")", "is not a number" },
         { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT -4", "z = -0.00225 m, must be above its lowest place" },
         { "DELTA_HEIGHT 305.5", "DELTA_HEIGHT 305.5\n#define DELTA_HEIGHT 306",
           "given twice: '305.5' in machine.cfg:31" },
@@ -115,13 +116,13 @@ TEST(Marlin, MalformedValuesAreRefused)
         { "DELTA_DIAGONAL_ROD 269.0", "DELTA_DIAGONAL_ROD 0.269", "'0.269' mm is out of range" },
         { "DELTA_DIAGONAL_ROD 269.0", "DELTA_DIAGONAL_ROD 1e30", "'1e30' mm is out of range" },
         { "-1.125 }", "1.125 }", "cfg:32: DELTA_ENDSTOP_ADJ = '1.125' mm is out of range; allowed: from -100 to 0 mm" },
-        { "-1.125 }", "-1.125, 0 }", "is no list of three numbers; expected \\{ A, B, C \\} in mm" },
-        { "{ 0.4, -0.3, 0.0 }", "0.4", "cfg:35: DELTA_TOWER_ANGLE_TRIM = '0.4' is no list of three" },
-        { "{ 0.4, -0.3, 0.0 }", "{ 0.4, -0.3, }", "DELTA_TOWER_ANGLE_TRIM = '' is no number" },
+        { "-1.125 }", "-1.125, 0 }", "is not a list of three numbers; expected \\{ A, B, C \\} in mm" },
+        { "{ 0.4, -0.3, 0.0 }", "0.4", "cfg:35: DELTA_TOWER_ANGLE_TRIM = '0.4' is not a list of three" },
+        { "{ 0.4, -0.3, 0.0 }", "{ 0.4, -0.3, }", "DELTA_TOWER_ANGLE_TRIM = '' is not a number" },
         { "{ 0.4, -0.3, 0.0 }", "{ 120, -0.3, 0 }", "'120' degrees is out of range; allowed: from -30 to 30 degrees" },
         { "DELTA_CARRIAGE_OFFSET (2 * 17.5)", "DELTA_CARRIAGE_OFFSET (17.5 * 99)", "mm is out of range" },
-        { "DELTA_CARRIAGE_OFFSET (2 * 17.5)", "CARRIAGE 35", "-\\(DELTA_CARRIAGE_OFFSET\\)\\)' is no number" },
-        { "NOZZLE_TO_PROBE_OFFSET { 10, 10, -1.5 }", "NOZZLE_TO_PROBE_OFFSET { 10, 10, Z }", "'Z' is no number" } });
+        { "DELTA_CARRIAGE_OFFSET (2 * 17.5)", "CARRIAGE 35", "-\\(DELTA_CARRIAGE_OFFSET\\)\\)' is not a number" },
+        { "NOZZLE_TO_PROBE_OFFSET { 10, 10, -1.5 }", "NOZZLE_TO_PROBE_OFFSET { 10, 10, Z }", "'Z' is not a number" } });
 }
 }  // namespace
 }  // namespace test

@@ -115,7 +115,7 @@ TEST(RepRapFirmware, OtherMachinesAreRefused)
 {
   expectEditsRefused(
       configG(),
-      { { "M83", "M669 K1", "cfg:4: M669 K = '1' is no linear delta; allowed: 3" },
+      { { "M83", "M669 K1", "cfg:4: M669 K = '1' is not a linear delta; allowed: 3" },
         { "M83", "M669 K3 X100 Y0", "cfg:4: M669 X = '100' sets a fourth tower" },
         { "269.000:268.800:269.100", "269:269:269:269", "M665 L = '269:269:269:269' is for 4 towers, expected one" },
         { "269.000:268.800:269.100", "269:268.8", "is for 2 towers" },
@@ -129,27 +129,27 @@ TEST(RepRapFirmware, MalformedFilesAreRefused)
   expectEditsRefused(
       configG(),
       { { "269.000:268.800:269.100", "269.000:long:269.100", "cfg:13: M665 L = '269.000:' is for 2 towers|no number" },
-        { "269.000:268.800:269.100", "269.000::269.100", "M665 L = '' is no number" },
+        { "269.000:268.800:269.100", "269.000::269.100", "M665 L = '' is not a number" },
         { "L269.000:268.800:269.100 ", "", "M665 L is missing; it is the length of the rods in mm" },
         { "269.000:268.800:269.100", "269.000:130.246:269.100", "arm of tower_y, 0.130246 m, must be longer" },
         { "269.000:268.800:269.100", "0.269", "'0.269' mm is out of range" },
         { "R130.246 ", "", "M665 R is missing" },
-        { "R130.246", "R{global.radius}", "'\\{global.radius\\}' is no number" },
+        { "R130.246", "R{global.radius}", "'\\{global.radius\\}' is not a number" },
         { "R130.246", "R-130.246", "'-130.246' mm is out of range; allowed: from 1 to 100000 mm" },
         { "R130.246", "R130.246 R131", "M665 R is given twice" },
-        { "R130.246", "Rinf", "M665 R = '' is no number" },
-        { "R130.246", "R130,246", "'130,246' is no number" },
+        { "R130.246", "Rinf", "M665 R = '' is not a number" },
+        { "R130.246", "R130,246", "'130,246' is not a number" },
         { "R130.246", "R300", "must be longer than the radius" },
         { "H305.470 ", "", "M665 H is missing" },
-        { "H305.470", "H", "M665 H = '' is no number" },
+        { "H305.470", "H", "M665 H = '' is not a number" },
         { "H305.470", "H-1", "must be above its lowest place" },
         { "B110.0", "B0", "M665 B = '0' mm is out of range" },
         { "Y0.161", "Y-120", "'-120' degrees is out of range; allowed: from -30 to 30 degrees" },
         { "Z0.755", "Z755", "'755' mm is out of range; allowed: from -100 to 100 mm" },
-        { "A0.11", "A0.1.1", "'0.1.1' is no number" },
+        { "A0.11", "A0.1.1", "'0.1.1' is not a number" },
         { "A0.11", "A45", "M666 A = '45' % is out of range; allowed: from -20 to 20 %" },
         { "M666 X", "M666 Z0\nM666 X", "M666 Z is given twice: '0' in machine.cfg:14 and '0.755' here" },
-        { "M208 Z-0.5", "M208 Z{low}", "M208 Z = '\\{low\\}' is no number" },
+        { "M208 Z-0.5", "M208 Z{low}", "M208 Z = '\\{low\\}' is not a number" },
         { "M208 Z-0.5", "M208 Z400", "must be above its lowest place, z = 0.4 m" } });
 }
 }  // namespace

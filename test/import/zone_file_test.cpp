@@ -50,17 +50,20 @@ TEST(ZoneFile, whatIsWrongIsToldWithItsLine)
   const auto refused = [](const std::string& text, const std::string& part) {
     test::expectThrow<std::invalid_argument>([&] { readZoneText(text, "zones.yaml"); }, part);
   };
-  refused("keep_out:\n  - {kind: cube, center: [0, 0, 0]}", "zones.yaml:2: 'cube' is no kind of zone");
+  refused("keep_out:\n  - {kind: cube, center: [0, 0, 0]}", "zones.yaml:2: 'cube' is not a kind of zone");
   refused("keep_out:\n  - {kind: box, center: [0, 0, 0]}", "zones.yaml:2: a box needs sides .SX SY SZ.");
   refused("keep_out:\n  - {kind: sphere, center: [0, 0, 0], radius: 1, height: 2}",
-          "'height' is no key of a sphere; these are: kind, name, center, radius");
+          "unknown key 'height' in a sphere; its keys are: kind, name, center, radius");
   refused("keep_out:\n  - {kind: sphere, center: [0, 0], radius: 1}", "center needs 3 numbers .X Y Z., got 2");
   refused("keep_out:\n  - kind: sphere\n    center: [0, 0, zero]\n    radius: 1", "zones.yaml:3: center = 'zero'");
-  refused("keep_out:\n  - {kind: sphere, centre: [0, 0, 0], radius: 1}", "'centre' is no key of a zone of keep_out");
-  refused("keep_off: []", "'keep_off' is no key of the file; these are: tool_radius, keep_in, keep_out");
+  refused("keep_out:\n  - {kind: sphere, centre: [0, 0, 0], radius: 1}", "unknown key 'centre' in a zone of keep_out");
+  refused("keep_off: []", "unknown key 'keep_off' in the file; its keys are: tool_radius, keep_in, keep_out");
   refused("keep_out: {kind: box}", "zones.yaml:1: keep_out must be a list of zones");
   refused("tool_radius: [1, 2]", "tool_radius needs one number");
-  refused("keep_out: [", "no YAML");
+  refused("keep_out: [", "not valid YAML");
+  refused("keep_out:\n  - {kind: sphere, center: [[0, 0, 0]], radius: 1}",
+          "zones.yaml:2: center must be .*a list or a map");
+  refused("keep_out:\n  - {kind: sphere, center: {x: 0}, radius: 1}", "zones.yaml:2: center must be .* it is a map");
   refused("keep_out:\n  - {kind: 1}\n  - {kind: 2}", "zones.yaml:3");
 }
 
@@ -73,15 +76,26 @@ TEST(ZoneKeys, numbersAreReadBackAsTheyWere)
   }
 }
 
+TEST(ZoneKeys, messagesNameTheirFields)
+{
+  const auto refused = [](const std::string& kind, const ZoneNumbers& numbers, const std::string& part) {
+    test::expectThrow<std::invalid_argument>(
+        [&] { readZone(Zone::Use::KEEP_IN, kind, "", numbers, ZoneNames::FIELDS); }, part);
+  };
+  refused("sphere", { { "radius", { 1 } } }, "a sphere needs pose.position");
+  refused("half_space", { { "point", { 0, 0, 0 } }, { "orientation", { 0, 0, 1, 0 } }, { "normal", { 0, 0, 1 } } },
+          "pose.orientation must be 0: a half_space has only name, pose.position, normal");
+}
+
 TEST(ZoneKeys, wordsNameWhatIsMissing)
 {
   const auto refused = [](const std::vector<std::string>& words, const std::string& part) {
     test::expectThrow<std::invalid_argument>([&] { readZone(Zone::Use::KEEP_IN, words); }, part);
   };
   EXPECT_EQ(readZone(Zone::Use::KEEP_IN, { "cylinder", "0", "0", "0.5", "0.1", "inf" }).radius, 0.1);
-  refused({}, "'' is no kind of zone; these are: box, cylinder, sphere, half_space");
+  refused({}, "'' is not a kind of zone; these are: box, cylinder, sphere, half_space");
   refused({ "sphere", "0", "0", "0" }, "needs 4 numbers, got 3; give sphere X Y Z RADIUS");
   refused({ "sphere", "0", "0", "0", "1", "2" }, "needs 4 numbers, got 5; give sphere X Y Z RADIUS");
-  refused({ "box", "0", "x", "0", "1", "2", "3" }, "'x' is no number; give box X Y Z SX SY SZ");
+  refused({ "box", "0", "x", "0", "1", "2", "3" }, "'x' is not a number; give box X Y Z SX SY SZ");
 }
 }  // namespace pkm_workspace

@@ -172,6 +172,35 @@ TEST(OctreeMap, endsBeyondTheBox)
     EXPECT_GT(points, 100);
 }
 
+// The library multiplies a coordinate by a rounded reciprocal: a point just below a voxel's face may count for the
+// voxel above it. A box that begins at that face leaves such points out.
+TEST(OctreeMap, whatTheLibraryRoundsIntoAVoxelIsAskedFor)
+{
+  int tried = 0;
+  for (int hundredth = 300; hundredth < 900 && tried < 20; ++hundredth)
+  {
+    const double edge = 1e-4 * hundredth;
+    const octomap::OcTree tree(edge);
+    for (int voxel = 1; voxel < 8; ++voxel)
+    {
+      const long double exact = static_cast<long double>(voxel) * static_cast<long double>(edge);  // 56 bits at most
+      double face = voxel * edge;
+      face = static_cast<long double>(face) > exact ? std::nextafter(face, 0.0) : face;
+      const double below = std::nextafter(face, 0.0);
+      if (tree.coordToKey(below) != tree.coordToKey(face + 0.5 * edge))
+        continue;
+      const Box box{ { face, 0.0, 0.0 }, { face + 4.0 * edge, 0.2, 0.2 } };
+      const Read read(octreeMap(orthoglide(), asked(Criterion(), edge, box)));
+      if (read.tree().getResolution() != edge)
+        continue;
+      EXPECT_FALSE(read.isFree({ below, 0.1, 0.1 })) << voxel << " of " << edge;
+      EXPECT_TRUE(read.isFree({ face + 1.5 * edge, 0.1, 0.1 }));
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 5);
+}
+
 TEST(OctreeMap, resolutionIsWhatTheFileHolds)
 {
   const Box box{ { -0.1, -0.2, -0.15 }, { 0.21, 0.1, 0.13 } };

@@ -131,7 +131,8 @@ class ClientsTest(unittest.TestCase):
         self.machine.set_criterion(psi_min=0.5)
 
     def test_wrong_words_and_types_are_type_errors(self):
-        for fields, reason in (({"psi": "best"}, "psi = 'best'"), ({"psy_min": 0.3}, "psy_min is no field of a Region"),
+        for fields, reason in (({"psi": "best"}, "psi = 'best'"),
+                               ({"psy_min": 0.3}, "psy_min is not a field of Region"),
                                ({"psi_min": "small"}, "psi_min"), ({"accuracy": "fine"}, "accuracy"),
                                ({"shape": 3}, "shape"), ({"proportions": (1, 2)}, ""), ({"proportions": "abc"}, "")):
             with self.subTest(fields), self.assertRaisesRegex(TypeError, reason):

@@ -70,7 +70,7 @@ class ReloadTest(unittest.TestCase):
         with NodeProcess(urdf("orthoglide")):
             old = self.region()
             for text, reason in (("<robot name='stool'><link name='seat'/></robot>", "0 prismatic joints"),
-                                 ("<robot", "no well-formed XML")):
+                                 ("<robot", "not well-formed XML")):
                 rospy.set_param("/robot_description", text)
                 answer = self.reload()
                 self.assertEqual(ErrorCode.INVALID_REQUEST, answer.error_code)

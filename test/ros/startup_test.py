@@ -39,7 +39,7 @@ BAD_PARAMETERS = [
     ({"psi": "best"}, r"psi = best must be a text: given or auto"),
     ({"psi": "auto", "psi_min": 0.3}, r"psi = auto chooses the bounds of a dextrous set: leave out psi_min"),
     ({"psi": "auto", "set": "reachable"}, r"psi = auto chooses the bounds of a dextrous set"),
-    ({"tool_link": "drill"}, r"tool_link names 'drill', which is no link; the links are: "),
+    ({"tool_link": "drill"}, r"tool_link names 'drill', which is not a link; the links are: "),
     ({"tool": [0, 0, 0.1], "tool_link": "drill"}, r"tool = \(0, 0, 0.1\) m and tool_link = 'drill' both tell"),
     ({"tool": 0.1}, r"tool = 0.1 must be three numbers \[x, y, z\] \[m\]"),
     ({"psi_min": "small"}, r"psi_min = small must be a number > 0"),
@@ -59,7 +59,7 @@ BAD_PARAMETERS = [
     ({"stiffness_min": 1e5}, r"stiffness_min needs the stiffness of its drive .* of joint .rail_x.: give joint_stiff"),
     ({"joint_speed_max": [1, 2]}, r"joint_speed_max = .* must be a number > 0, or a list of three .m/s."),
     ({"joint_error_max": -1.0}, r"joint_error_max = -1 .*must be positive"),
-    ({"ball_axes": [[0, 0, 0]]}, r"ball_axes: .*no direction"),
+    ({"ball_axes": [[0, 0, 0]]}, r"ball_axes: .*not a direction"),
     ({"ball_axes": [[1, 0, 0], [0, 1, 0]]}, r"ball_axes: 2 axes, expected one for all legs or one for each"),
     ({"hinge_limits": 1}, r"hinge_limits = 1 must be true or false"),
     ({"joint_limits": 1}, r"joint_limits = 1 must be true or false"),
@@ -79,14 +79,15 @@ BAD_PARAMETERS = [
     ({"rails": "rail_x"}, r"rails = rail_x must be a list of three names"),
     ({"rails": ["rail_x", "rail_y", "elbow"]}, r"elbow"),
     ({"psi_mim": 0.4}, r"psi_mim = 0.4 is not a parameter of this node; these are: accuracy, "
-     + "".join(rf"(?=.*\b{name}\b)" for name in CriterionRequest.__slots__ if "zones" not in name)),
+     + "".join(rf"(?=.*\b{name}\b)" for name in CriterionRequest.__slots__
+              if not name.endswith(("zones", "tolerances")))),
 ]
 
 BAD_DESCRIPTIONS = [
     (None, r"robot_description is not there.*load the machine's URDF"),
     (42, r"/robot_description must be a text, the machine's URDF"),
-    ("", r"/robot_description: .*refused:(.|\n)*no well-formed XML"),
-    ("<robot", r"/robot_description: .*refused:(.|\n)*no well-formed XML"),
+    ("", r"/robot_description: .*refused:(.|\n)*not well-formed XML"),
+    ("<robot", r"/robot_description: .*refused:(.|\n)*not well-formed XML"),
     ("<robot name='stool'><link name='seat'/></robot>", r"/robot_description: .*refused:(.|\n)*0 prismatic joints"),
 ]
 

@@ -81,7 +81,8 @@ class ZonesOfRequests(unittest.TestCase):
 
         refused(r"zones\[1\]: kind = 9 must be BOX = 1", zones=[PILLAR, ToolZone(use=1, kind=9)])
         refused(r"zones\[0\]: use = 0 must be KEEP_IN = 1 or KEEP_OUT = 2", zones=[ToolZone(kind=1)])
-        refused(r"'radius' is no key of a box", zones=[zone("keep_out", "box", sides=(1, 1, 1), radius=0.5)])
+        refused(r"radius must be 0: a box has only name, pose.position, sides, pose.orientation",
+                zones=[zone("keep_out", "box", sides=(1, 1, 1), radius=0.5)])
         refused(r"a box needs sides", zones=[zone("keep_out", "box")])
         refused(r"its radius \[m\] must be positive", zones=[zone("keep_out", "sphere", radius=-1)])
         refused(r"tool_radius = 0.1 m is without effect", tool_radius=0.1)

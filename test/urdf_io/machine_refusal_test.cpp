@@ -40,7 +40,7 @@ TEST(MachineRefusal, railsThatAreNamedWrongly)
   expectRefused(good(), "rails names 2 joints \\('rail_x', 'rail_y'\\), expected three",
                 { { "rail_x", "rail_y" }, {} });
   expectRefused(good(),
-                "rails names 'rail_w', which is no joint; the prismatic joints are: 'rail_x', 'rail_y', 'rail_z'",
+                "rails names 'rail_w', which is not a joint; the prismatic joints are: 'rail_x', 'rail_y', 'rail_z'",
                 { { "rail_x", "rail_y", "rail_w" }, {} });
   expectRefused(good(), "rails names joint 'revolute_1', which is continuous",
                 { { "rail_x", "rail_y", "revolute_1" }, {} });
@@ -184,7 +184,7 @@ TEST(MachineRefusal, toolPointsThatAreNamedWrongly)
 {
   const auto names = [](const std::vector<std::string>& links) { return UrdfOptions{ {}, links }; };
   expectRefused(good(), "tcp_links names 2 links, expected three, one for each leg", names({ "tcp_1", "tcp_2" }));
-  expectRefused(good(), "tcp_links names 'tool', which is no link; the links are: 'bar_a_1', .*'wrist_3'",
+  expectRefused(good(), "tcp_links names 'tool', which is not a link; the links are: 'bar_a_1', .*'wrist_3'",
                 names({ "tcp_1", "tcp_2", "tool" }));
   expectRefused(good(), "tcp_links names link 'base_link', which no rail carries",
                 names({ "tcp_1", "tcp_2", "base_link" }));

@@ -187,7 +187,7 @@ TEST(ToolLink, hasToBeFixedToThePlatform)
   expectRefused(good(), "tool_link names link 'base_link', which no rail carries; expected one fixed to the platform",
                 options);
   options.tool_link = "drill";
-  expectRefused(good(), "tool_link names 'drill', which is no link; the links are: ", options);
+  expectRefused(good(), "tool_link names 'drill', which is not a link; the links are: ", options);
 }
 }  // namespace test
 }  // namespace pkm_workspace

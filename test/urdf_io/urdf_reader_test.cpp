@@ -217,8 +217,8 @@ TEST(UrdfReader, warnsOfWhatIsNotUsed)
   expectSameGeometry(read.machine, unit());
   EXPECT_EQ(read.warnings,
             (std::vector<std::string>{
-                "joint 'rail_y': <origin ryp> is no attribute of it and not used",
-                "joint 'rail_y': <orign> is no element of a joint and not used",
+                "joint 'rail_y': <origin ryp> is not an attribute of it and not used",
+                "joint 'rail_y': <orign> is not an element of a joint and not used",
                 "the limits of passive joints hold only where hinge limits are asked for: [-0.5, 0.75] rad "
                 "('revolute_1'), [-1, 1] rad "
                 "('revolute_back_2')",

@@ -18,9 +18,9 @@ TEST(UrdfRefusal, theUneditedFileIsRead)
 
 TEST(UrdfRefusal, textThatIsNoXml)
 {
-  expectRefused("", "no well-formed XML: .*XML_ERROR_EMPTY_DOCUMENT");
-  expectRefused("rail_x", "no well-formed XML");
-  expectRefused(replaced(good(), "</robot>", ""), "no well-formed XML: .*XML_ERROR_PARSING");
+  expectRefused("", "not well-formed XML: .*XML_ERROR_EMPTY_DOCUMENT");
+  expectRefused("rail_x", "not well-formed XML");
+  expectRefused(replaced(good(), "</robot>", ""), "not well-formed XML: .*XML_ERROR_PARSING");
   expectRefused(good() + std::string(1, '\0'), "holds a zero byte");
   expectRefused(good() + std::string(4 * 1024 * 1024, ' '), "longer than the 4194304 bytes that are read");
 }
@@ -121,8 +121,8 @@ TEST(UrdfRefusal, wrongLimits)
 TEST(UrdfRefusal, wrongAxes)
 {
   const auto axis = [](const std::string& to) { return withJoint(good(), "rail_x", "<axis xyz=\"1 0 0\"/>", to); };
-  expectRefused(axis("<axis xyz=\"0 0 0\"/>"), "joint 'rail_x': <axis xyz> = 0 0 0 is no direction");
-  expectRefused(axis("<axis xyz=\"0 -0 1e-400\"/>"), "joint 'rail_x': <axis xyz> = 0 0 0 is no direction");
+  expectRefused(axis("<axis xyz=\"0 0 0\"/>"), "joint 'rail_x': <axis xyz> = 0 0 0 is not a direction");
+  expectRefused(axis("<axis xyz=\"0 -0 1e-400\"/>"), "joint 'rail_x': <axis xyz> = 0 0 0 is not a direction");
   expectRefused(axis(""), "joint 'rail_x': <axis xyz> is missing, expected a direction \\(URDF would take 1 0 0\\)");
   expectRefused(axis("<axis/>"), "joint 'rail_x': <axis xyz> is missing");
   expectRefused(withJoint(good(), "bar_joint_a_1", "<axis xyz=\"0 0 1\"/>", ""),
@@ -134,7 +134,7 @@ TEST(UrdfRefusal, wrongMimics)
   const auto mimic = [](const std::string& master) {
     return withJoint(good(), "revolute_back_1", "<mimic joint=\"revolute_1\"", "<mimic joint=\"" + master + "\"");
   };
-  expectRefused(mimic("revolute_9"), "joint 'revolute_back_1': <mimic> follows 'revolute_9', which is no joint");
+  expectRefused(mimic("revolute_9"), "joint 'revolute_back_1': <mimic> follows 'revolute_9', which is not a joint");
   expectRefused(mimic("revolute_back_1"), "joint 'revolute_back_1': <mimic> follows the joint itself");
   const auto circle = withJoint(mimic("revolute_1"), "revolute_1", "<axis xyz=\"0 1 0\"/>",
                                 "<axis xyz=\"0 1 0\"/><mimic joint=\"revolute_back_1\"/>");
@@ -173,7 +173,7 @@ TEST(UrdfRefusal, whatIsGivenTwice)
   expectRefused(withJoint(good(), "rail_z", "<origin", "<origin xyz=\"0 0 0\"/><origin/><origin"),
                 "joint 'rail_z': <origin> is given 3 times, expected once");
   expectRefused(withJoint(good(), "rail_z", "lower=\"-1.3\"", "lower=\"-1.3\" lower=\"0\""),
-                "no well-formed XML: .*XML_ERROR_PARSING_ATTRIBUTE.*XMLElement name=limit");
+                "not well-formed XML: .*XML_ERROR_PARSING_ATTRIBUTE.*XMLElement name=limit");
 }
 
 TEST(UrdfRefusal, numbersOutOfRange)

@@ -66,7 +66,7 @@ TEST(UrdfRemedies, oneSentenceForEachKind)
   for (const char* const joint : { "rail_x", "rail_z" })
     urdf = withJoint(urdf, joint, "<axis", "<orign xyz=\"1 2 3\"/><axis");
   EXPECT_EQ(readUrdf(urdf).warnings,
-            (Sentences{ "<orign> is no element of a joint and not used: 'rail_x', 'rail_z'" }));
+            (Sentences{ "<orign> is not an element of a joint and not used: 'rail_x', 'rail_z'" }));
 }
 }  // namespace test
 }  // namespace pkm_workspace

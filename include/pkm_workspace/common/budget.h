@@ -36,8 +36,8 @@ struct Budget
   Budget within(double seconds) const;
   /// The same limits where the time is shared by so many computations, one after the other.
   Budget inTurns(double computations) const { return within(time_limit / computations); }
-  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s", "its share of the
-  /// time limit of 60 s"; empty when none of the limits has.
+  /// What has ended a computation by then, as the subject of a sentence: "the time limit of 60 s", "20 s, its share of
+  /// the time limit of 60 s"; empty when none of the limits has.
   std::string endedBy(double seconds, std::int64_t boxes, bool out_of_memory = false) const;
 };
 

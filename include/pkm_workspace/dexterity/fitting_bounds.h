@@ -20,7 +20,7 @@ struct FittingBounds
   double psi_max;         ///< machines nearly get the paper's bounds
 };
 
-/// @param criterion whose aspect and joint limits count @return nothing where no point of the set was found
+/// @param criterion whose other conditions count @return nothing where no point of the set was found
 std::optional<FittingBounds> fittingBounds(const Machine& machine, const Criterion& criterion);
 
 /// Sets them. @return what was chosen @throws std::invalid_argument where there are none

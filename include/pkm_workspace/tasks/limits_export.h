@@ -9,19 +9,21 @@
 
 namespace pkm_workspace
 {
-/// A region that is to be written as limits for the configuration of a controller, in the frame of the root link.
+/// A region that is to be written as limits for the configuration of a controller, whose axes are parallel to those of
+/// the root link.
 struct ExportTask
 {
-  std::string format;  ///< one of limitFormats()
-  PlacedSolid region;
+  std::string format;                                ///< one of limitFormats()
+  PlacedSolid region;                                ///< in the frame of the root link
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< the controller's zero, in that frame
   /// Whether a cylinder is written that ends below where the switches are.
   bool top_by_slicer = false;
   Budget budget;  ///< of the proof
 
-  /// What is said to help: how the asker gives a cylinder, its center, a box, no joint limits, and the above.
+  /// What is said to help: how the asker gives a cylinder, its center, a box, no joint limits, the above, the origin.
   struct Remedies
   {
-    std::string cylinder, center, box, limits_off, by_slicer;
+    std::string cylinder, center, box, limits_off, by_slicer, origin;
   };
   Remedies remedies = {};
 
@@ -29,7 +31,7 @@ struct ExportTask
   void validateBody(Problems& problems) const;
   /// The same for a body that it can hold, on this machine.
   void validateMachine(const Machine& machine, Problems& problems) const;
-  /// What is held, rounded inward.
+  /// What is held, seen from the controller's zero, rounded inward.
   HeldRegion held() const;
 
 private:
