@@ -4,9 +4,11 @@
 #include "output.h"
 #include "pkm_workspace/dexterity/region_check.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/region/bad_machine.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
 #include "pkm_workspace/report/set_reach.h"
+#include "pkm_workspace/report/tolerate_sentence.h"
 #include "progress.h"
 #include "region_option.h"
 
@@ -97,15 +99,32 @@ public:
     if (body_.sides())
       json["sides"] = toJson(*body_.sides());
     json["bad_point"] = result.bad_point ? toJson(*result.bad_point) : Json();
+    const std::optional<Machine> bad = badMachine(result);
+    if (machine.hasTolerances())
+      json["bad_machine"] = bad ? differencesJson(*bad, machine) : Json();
     json["bad_within"] = result.bad_within;
     json["boxes"] = result.boxes;
     if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
       addLimits(machine, criterion_, reachOver(machine, *solid.shape, *center_, solid.size), json);
     json["message"] = message(result);
-    return { json, print(result) };
+    return { json, print(result) + (bad ? aboutMachine(*bad) : "") };
   }
 
 private:
+  /// Of all machines within tolerances, the one that is bad at the bad point.
+  std::optional<Machine> badMachine(const ContainmentResult& result) const
+  {
+    return machine_.machine().hasTolerances() && result.bad_point
+               ? badMachineAt(machine_.machine(), criterion_, *result.bad_point).machine
+               : std::nullopt;
+  }
+
+  std::string aboutMachine(const Machine& bad) const
+  {
+    return wrapped("One of the machines that are bad there:") +
+           joined(differencesInWords(bad, machine_.machine()), "\n") + "\n";
+  }
+
   /// The paper's G(B, w).
   Answer answerForAll(const BoxTest& test) const
   {

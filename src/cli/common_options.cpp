@@ -76,10 +76,7 @@ void MachineOptions::declare(Options& options)
   options.legs("ball-axes", "X Y Z", BALL_AXES_HELP, [this](const Words& words) { assign(words, names_.ball_axes); });
   declareTolerances(options, [this]() -> ToleranceWish& { return tolerances_; });
   options.require({ "urdf" });
-  Words names = { "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" };
-  const Words tolerances = toleranceOptions();
-  names.insert(names.end(), tolerances.begin(), tolerances.end());
-  options.check(names, [this](Problems& problems) {
+  options.check({ "urdf", "rails", "tcp-links", "tool-link", "tool", "ball-axes" }, [this](Problems& problems) {
     names_.tolerances = tolerances_.both();
     try
     {

@@ -33,8 +33,8 @@ class MachineOptions
 {
 public:
   void declare(Options& options);
-  /// @pre the options have been parsed
-  const Machine& machine() const { return urdf_->machine; }
+  /// @pre the options have been parsed @throws std::bad_optional_access in conditions on a machine that was refused
+  const Machine& machine() const { return urdf_.value().machine; }
   Words warnings() const
   {
     Words all = remarksOn(*urdf_);

@@ -91,7 +91,14 @@ void Options::checkCondition(const Condition& condition, Problems& problems) con
       given.push_back(option->asGiven());
   }
   Problems found;
-  condition.check(found);
+  try
+  {
+    condition.check(found);
+  }
+  catch (const std::bad_optional_access&)
+  {
+    return;  // it is about what another condition has refused, such as a machine that cannot be read
+  }
   for (const std::string& problem : found)
     problems.push_back(joined(given, ", ") + (given.empty() ? "" : ": ") + problem);
 }

@@ -12,6 +12,7 @@
 #include "pkm_workspace/dexterity/criterion_bounds.h"
 #include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/report/tolerate_sentence.h"
 
 namespace pkm_workspace
 {
@@ -239,6 +240,22 @@ std::string aligned(const std::vector<Words>& rows, Align align)
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
+}
+
+Json differencesJson(const Machine& built, const Machine& meant)
+{
+  Json json = Json::array();
+  const std::vector<std::string> words = differencesInWords(built, meant);
+  for (const LegDifference& leg : differences(built, meant))
+    json.push_back({ { "joint", leg.joint },
+                     { "slider", toJson(leg.slider) },
+                     { "platform", toJson(leg.platform) },
+                     { "length", leg.length },
+                     { "direction", leg.angle },
+                     { "axis", toJson(leg.axis) },
+                     { "zero", leg.zero },
+                     { "text", words[json.size()] } });
+  return json;
 }
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -85,5 +85,7 @@ enum class Align
   RIGHT
 };
 std::string aligned(const std::vector<Words>& rows, Align align);
+/// One machine by what its numbers differ in from those that were meant, leg by leg.
+Json differencesJson(const Machine& built, const Machine& meant);
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -86,7 +86,7 @@ private:
     json["fails"] = finite(found.fails);
     json["closed"] = found.is_closed;
     json["bad_point"] = found.bad_point ? toJson(*found.bad_point) : Json();
-    json["bad_machine"] = found.bad_machine ? Json(differencesInWords(*found.bad_machine, machine)) : Json();
+    json["bad_machine"] = found.bad_machine ? differencesJson(*found.bad_machine, machine) : Json();
     json["shares"] = Json::array();
     for (const ToleranceShare& share : found.shares)
       json["shares"].push_back(

@@ -72,8 +72,12 @@ void requireProvable(const Machine& machine, const Criterion& criterion, Problem
   for (int leg = 0; criterion.hinge_limits && leg < 3; ++leg)
     for (const std::string& reason : slidingStrut(machine.leg(leg)).open_hinges)
       complain(problems, "hinge_limits cannot be proved: ", reason);
+  // of a machine that is off by its tolerances, joints may be exact
+  const auto isNeeded = [&](const JointDatum& datum) {
+    return datum.is_needed && !(datum.bound == &Criterion::position_error_max && machine.hasTolerances());
+  };
   for (const JointDatum& datum : JOINT_DATA)
-    for (std::size_t leg = 0; datum.is_needed && criterion.*datum.bound > 0.0 && leg < 3; ++leg)
+    for (std::size_t leg = 0; isNeeded(datum) && criterion.*datum.bound > 0.0 && leg < 3; ++leg)
       if ((criterion.*datum.values)[leg] == 0.0)
       {
         const std::string joint = "'" + machine.leg(static_cast<int>(leg)).joint + "'";

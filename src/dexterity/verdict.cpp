@@ -49,7 +49,7 @@ BoxTest::BoxTest(const Machine& machine, const Criterion& criterion, Precision p
   , least_width_(leastWidth(machine))
   , is_tolerated_(machine.hasTolerances())
 {
-  if (model_.condition<AspectSign>().isAsked() && !criterion.settlesAspect())
+  if (model_.condition<AspectSign>().isAsked() && !criterion.settlesAspect(is_tolerated_))
     spheres_ = strutSpheres(machine);
   if (precision == Precision::MULTIPLE)
     precise_kernel_ = preciseKernel(machine, criterion);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pkm_workspace/machine/tolerated_strut.h"
+#include "pkm_workspace/region/bad_machine.h"
 
 namespace pkm_workspace
 {
@@ -14,8 +14,6 @@ namespace
 /// Factors that are tried: beyond the last one tolerances say nothing.
 constexpr double LEAST_FACTOR = 1e-9;
 constexpr double MOST_FACTOR = 1e9;
-/// Shares below this do not matter.
-constexpr double SHARE_THAT_MATTERS = 1e-3;
 /// How often the gap below the factor with which some are no machines is halved.
 constexpr int REFUSED_STEPS = 10;
 
@@ -61,7 +59,7 @@ private:
       Budget budget = running_.rest();
       budget.max_boxes =
           query_.budget.max_boxes > 0 ? std::max<std::int64_t>(query_.budget.max_boxes - found_.boxes, 1) : 0;
-      const ContainmentResult found = checkContainment(BoxTest(machine, query_.criterion), *query_.solid.shape,
+      const ContainmentResult found = checkContainment(BoxTest(machine, criterionFor(machine)), *query_.solid.shape,
                                                        query_.center, query_.solid.size, budget);
       found_.boxes += found.boxes;
       if (found.verdict == Containment::INSIDE)
@@ -80,6 +78,16 @@ private:
       refused_ = std::min(refused_, factor);  // one of them is no machine
       return Containment::UNDECIDED;
     }
+  }
+
+  /// A machine without tolerances, and with joints that are exact, has no errors of position.
+  Criterion criterionFor(const Machine& machine) const
+  {
+    Criterion criterion = query_.criterion;
+    const JointValues& errors = criterion.joint_error_max;
+    if (!machine.hasTolerances() && std::find(errors.begin(), errors.end(), 0.0) != errors.end())
+      criterion.position_error_max = 0.0;
+    return criterion;
   }
 
   bool isOver() const { return running_.isOver(found_.boxes); }
@@ -132,65 +140,6 @@ private:
   double refused_ = INF;   ///< the least with which some are not
 };
 
-/// What each kind of each leg takes: the parameters of c belong to both ends of the strut.
-std::vector<ToleranceShare> sharesOf(const WorstMachine& worst, const Machine& machine)
-{
-  std::vector<ToleranceShare> shares;
-  double all = 0.0;
-  for (const double loss : worst.loss)
-    all += loss;
-  const auto add = [&](const char* name, int leg, double loss) {
-    if (all > 0.0 && loss > SHARE_THAT_MATTERS * all)
-      shares.push_back({ toleranceKind(name), leg, loss / all });
-  };
-  for (int i = 0; i < 3; ++i)
-  {
-    const StrutTolerance& by = slidingStrut(machine.leg(i)).tolerance;
-    const double* const loss = worst.loss.data() + static_cast<std::size_t>(i) * STRUT_PARAMETERS;
-    const ParameterSet set = spreadOf(slidingStrut(machine.leg(i))).set;
-    double part[4] = { 0.0, 0.0, 0.0, 0.0 };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double parameter = std::abs(worst.parameter[static_cast<std::size_t>(i) * STRUT_PARAMETERS + k]);
-      const double of_box = parameter > 0.0 ? std::min(set.box[k] / parameter, 1.0) : 0.0;
-      const double boxes = by.slider[k] + by.platform[k], balls = by.slider_ball + by.platform_ball;
-      part[0] += boxes > 0.0 ? loss[k] * of_box * by.slider[k] / boxes : 0.0;
-      part[1] += balls > 0.0 ? loss[k] * (1.0 - of_box) * by.slider_ball / balls : 0.0;
-      part[2] += boxes > 0.0 ? loss[k] * of_box * by.platform[k] / boxes : 0.0;
-      part[3] += balls > 0.0 ? loss[k] * (1.0 - of_box) * by.platform_ball / balls : 0.0;
-    }
-    const char* const ends[4] = { "tolerance_slider", "tolerance_slider_ball", "tolerance_platform",
-                                  "tolerance_platform_ball" };
-    for (std::size_t n = 0; n < 4; ++n)
-      add(ends[n], i, part[n]);
-    add("tolerance_zero", i, loss[3]);
-    add("tolerance_direction", i, std::hypot(loss[4], loss[5]));
-    add("tolerance_length", i, loss[6]);
-  }
-  std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
-  return shares;
-}
-
-/// Names the machine that is bad at the bad point, if one machine alone is proved to be.
-void nameBadMachine(const Machine& machine, const FactorQuery& query, TolerableFactor& report)
-{
-  const Machine all = withTolerances(machine, scaled(tolerancesOf(machine), report.fails));
-  const WorstMachine worst = BoxTest(all, query.criterion).kernel().worst(*report.bad_point);
-  report.shares = sharesOf(worst, all);
-  try
-  {
-    const Machine built = builtWith(all, worst.parameter);
-    const PointEvaluation there = PointEvaluator(built, query.criterion)(*report.bad_point);
-    if (there.verdict != BoxVerdict::OUTSIDE)
-      return;
-    report.bad_machine = built;
-    report.bad_limit = there.binding();
-  }
-  catch (const std::invalid_argument&)
-  {
-    return;  // it is singular at zero, and not to be named
-  }
-}
 }  // namespace
 
 Tolerances scaled(Tolerances tolerances, double factor)
@@ -211,7 +160,13 @@ TolerableFactor tolerableFactor(const Machine& machine, const FactorQuery& query
   throwProblems(problems);
   TolerableFactor report = FactorSearch(machine, query).run();
   if (report.bad_point && report.fails > 0.0)
-    nameBadMachine(machine, query, report);
+  {
+    const BadMachine bad = badMachineAt(withTolerances(machine, scaled(tolerancesOf(machine), report.fails)),
+                                        query.criterion, *report.bad_point);
+    report.bad_machine = bad.machine;
+    report.bad_limit = bad.limit;
+    report.shares = bad.shares;
+  }
   return report;
 }
 }  // namespace pkm_workspace

@@ -35,7 +35,9 @@ std::string describe(const Guarantee& guarantee, const Machine& machine, const B
   const std::string ending =
       guarantee.complete ? ""
                          : ". The accuracy was not met: " +
-                               (ended_by.empty() ? "doubles do not tell it more closely" : ended_by + " ended it");
+                               (!ended_by.empty()         ? ended_by + " ended it"
+                                : machine.hasTolerances() ? "bounds over all machines do not tell it more closely"
+                                                          : "doubles do not tell it more closely");
   const double proved = guarantee.proved();
   if (!(proved > 0.0 && std::isfinite(proved)))
     return "Nothing is proved of " + subject + ": " +

@@ -47,21 +47,30 @@ std::string describe(const TolerableFactor& found, const Machine& machine, const
   return text + ".";
 }
 
-std::vector<std::string> differencesInWords(const Machine& built, const Machine& meant)
+std::vector<LegDifference> differences(const Machine& built, const Machine& meant)
 {
-  std::vector<std::string> all;
+  std::vector<LegDifference> all;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const SlidingStrut& is = slidingStrut(built.legs()[i]);
     const SlidingStrut& was = slidingStrut(meant.legs()[i]);
     const double angle = std::asin(std::min(1.0, mid(is.axis).cross(mid(was.axis)).norm()));
     const Interval &now = built.legs()[i].limits, &then = meant.legs()[i].limits;
-    const double zero = std::isfinite(then.upper()) ? now.upper() - then.upper() : now.lower() - then.lower();
-    all.push_back(meant.legs()[i].joint + ": slider off by " + vectorText(mid(is.origin) - mid(was.origin)) +
-                  " m, platform by " + vectorText(mid(is.platform) - mid(was.platform)) + " m, strut by " +
-                  nearly(is.length.mid() - was.length.mid(), 4) + " m, rail by " + nearly(angle, 4) + " rad" +
-                  (std::isfinite(zero) && zero != 0.0 ? ", joint zero by " + nearly(-zero, 4) + " m" : ""));
+    const double zero = std::isfinite(then.upper()) ? then.upper() - now.upper() : then.lower() - now.lower();
+    all.push_back({ meant.legs()[i].joint, mid(is.origin) - mid(was.origin), mid(is.platform) - mid(was.platform),
+                    is.length.mid() - was.length.mid(), angle, mid(is.axis), std::isfinite(zero) ? zero : 0.0 });
   }
+  return all;
+}
+
+std::vector<std::string> differencesInWords(const Machine& built, const Machine& meant)
+{
+  std::vector<std::string> all;
+  for (const LegDifference& leg : differences(built, meant))
+    all.push_back(leg.joint + ": slider off by " + vectorText(leg.slider) + " m, platform by " +
+                  vectorText(leg.platform) + " m, strut by " + nearly(leg.length, 4) + " m, rail by " +
+                  nearly(leg.angle, 4) + " rad" +
+                  (leg.zero != 0.0 ? ", joint zero by " + nearly(leg.zero, 4) + " m" : ""));
   return all;
 }
 }  // namespace pkm_workspace

@@ -156,7 +156,7 @@ Criterion fromMessage(const CriterionRequest& request, const Machine& machine, c
   };
   validateCriterion(criterion, origin, problems);
   if (problems.size() == before)
-    requireProvable(machine, criterion, problems);
+    requireProvable(machineOf(request, machine).value_or(machine), criterion, problems);
   if (problems.size() == before)
     return criterion;
   Criterion valid = defaults;

@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm with tolerances: all machines that could have been built, and how exactly one has to be."""
+import json
+import pathlib
+import subprocess
 import unittest
 
 from pkm import ORTHOGLIDE, CommandTest, run
+
+DRAW = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "draw_shares"
 
 SOME = ("--tolerance-slider", 1e-4, "--tolerance-length", 1e-4)
 
@@ -58,7 +63,11 @@ class Tolerances(CommandTest):
     def test_every_command_takes_them(self):
         place = ("--center", 0.08, 0.08, 0.08, "--sides", 0.6, 0.6, 0.6)
         self.assertEqual(self.ask("check", *place, *SOME)["verdict"], "inside")
-        self.assertEqual(self.ask("check", *place, "--tolerance-slider", 0.02)["verdict"], "outside")
+        outside = self.ask("check", *place, "--tolerance-slider", 0.02)
+        self.assertEqual(outside["verdict"], "outside")
+        self.assertEqual(len(outside["bad_machine"]), 3)
+        text = self.text("check", "--urdf", ORTHOGLIDE, *place, "--tolerance-slider", 0.02)
+        self.assertIn("rail_x: slider off by", text)
         exact = self.ask("pave", "--resolution", 0.2)
         robust = self.ask("pave", "--resolution", 0.2, "--tolerance-length", 0.01)
         self.assertLess(robust["volume_lower"], exact["volume_lower"])
@@ -137,15 +146,49 @@ class Tolerances(CommandTest):
         for factor, verdict in ((found["holds"], "inside"), (found["fails"], "outside")):
             scaled = ("--tolerance-slider", factor * 1e-4, "--tolerance-length", factor * 1e-4)
             self.assertEqual(self.ask("check", *words, *scaled)["verdict"], verdict)
+        for leg in found["bad_machine"]:  # a vertex of the tolerances
+            self.assertRegex(leg["text"], rf"^{leg['joint']}: slider off by ")
+            for value in (*leg["slider"], leg["length"]):
+                self.assertAlmostEqual(abs(value), found["fails"] * 1e-4, delta=1e-9)
+            self.assertEqual((leg["platform"], leg["direction"], leg["zero"]), ([0, 0, 0], 0, 0))
+        picture = self.folder / "shares.png"
+        answer = self.file("answer.json", json.dumps(found))
+        drawn = subprocess.run([DRAW, answer, picture], capture_output=True, text=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        self.assertIn("no answer of pkm tolerate", subprocess.run([DRAW, self.file("none.json", "{}"), picture],
+                                                                  capture_output=True, text=True).stderr)
         text = self.text("tolerate", "--urdf", ORTHOGLIDE, *words, *SOME)
         self.assertRegex(text, r"tolerance_slider +rail_. +[0-9.]+ % +#+")
         self.assertIn("(it is listed below)", " ".join(text.split()))
+
+    def test_the_tool_is_within(self):
+        box = ("--center", 0.05, 0.05, 0.05, "--sides", 0.4, 0.4, 0.4)
+        found = self.ask("guarantee", *box, "--quantity", "position_error_max", "--tolerance-length", 1e-4)
+        value = found["guarantees"][0]["value"]
+        self.assertBrackets(value[0], 2.557e-4, value[1], 1e-7)
+        self.assertLess(value[1] - value[0], 2e-3 * value[1])
+        for bound, verdict in ((1.001 * value[1], "inside"), (0.99 * value[0], "outside")):
+            asked = self.ask("check", *box, "--tolerance-length", 1e-4, "--position-error-max", bound)
+            self.assertEqual(asked["verdict"], verdict)
+        self.refused(("check", "--urdf", ORTHOGLIDE, *box, "--position-error-max", 1e-3), "needs the largest error")
+        largest = ("largest", "--tolerance-length", 1e-4, "--position-error-max", 3e-4, "--accuracy", 0.01)
+        self.assertEqual(self.ask(*largest)["status"], "proven")
+        tolerable = self.ask("tolerate", *box, "--tolerance-length", 1e-4, "--position-error-max", 3e-4)
+        self.assertBrackets(tolerable["holds"], 3e-4 / 2.557e-4, tolerable["fails"], 1e-3)
+        self.assertIsNotNone(tolerable["bad_machine"])
 
     def test_bad_numbers_are_refused(self):
         for words, reason in (((-1e-4, ), r"tolerance_length = -0.0001 m must be from 0 to 1000 m"),
                               ((1e-4, 1e-4), "tolerance_length has 2 numbers, expected one for all legs, three"),
                               (("wide", ), "wide")):
             self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-length", *words), reason)
+        for command in ("largest", "tolerate"):  # and nothing is said of a machine that was not read
+            process = run(command, "--urdf", "none.urdf", "--psi", "auto", "--center", 0, 0, 0, "--radius", 0.1,
+                          "--tolerance-length", -1)
+            self.assertEqual(process.returncode, 2)
+            self.assertNotRegex(process.stderr, "no point of the machine|one tolerance at least")
+            self.assertIn("none.urdf: cannot be read", process.stderr)
         self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-direction", 0.2), "must be from 0 to 0.1 rad")
         self.refused(("largest", "--urdf", ORTHOGLIDE, "--tolerance-slider", 2),
                      "a tolerance of 2 m of its slider point must be at most 0.1 m, a tenth of the strut's length")

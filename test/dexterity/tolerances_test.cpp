@@ -135,7 +135,10 @@ TEST(Tolerances, aMachineIsBadOutside)
         continue;
       ++close;
       const Deviation worst = worstDeviation(each.machine, each.criterion, point, random, 4);
-      EXPECT_FALSE(isGood(each.machine, worst, each.criterion, point)) << point.transpose();
+      const auto isGoodOn = [&](const Deviation& at) { return isGood(each.machine, at, each.criterion, point); };
+      // descents from a few starts end in valleys now and then
+      EXPECT_FALSE(isGoodOn(worst) && isGoodOn(worstDeviation(each.machine, each.criterion, point, random, 40)))
+          << point.transpose();
     }
   }
   EXPECT_GT(count, 100);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Dense>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "pkm_workspace/dexterity/verdict.h"
@@ -87,13 +90,116 @@ inline Machine built(const Machine& meant, const Deviation& deviation)
   return { meant.name(), legs, meant.zero() };
 }
 
+using LongVector = Eigen::Matrix<long double, 3, 1>;
+using LongMatrix = Eigen::Matrix<long double, 3, 3>;
+
+inline LongVector toLong(const IntervalVector& v)
+{
+  return mid(v).cast<long double>();
+}
+
+/// A sphere that the tool stands on: its strut about the slider.
+struct StrutSphereOf
+{
+  LongVector center;
+  long double radius;
+};
+
+/// That of a leg, part of the way from what was meant (0) to what was built (1), at the joint value at which the
+/// nominal leg has the tool at p, but for an error; nothing where that does not reach.
+inline std::optional<StrutSphereOf> sphereOf(const SlidingStrut& meant, const SlidingStrut& built, const LongVector& p,
+                                             long double error, long double part)
+{
+  const LongVector was = toLong(meant.axis).normalized(), now = toLong(built.axis).normalized();
+  const LongVector offset = p - toLong(meant.origin) + toLong(meant.platform);
+  const long double along = was.dot(offset), length = meant.length.mid();
+  const long double square = length * length - (offset - along * was).squaredNorm();
+  if (square <= 0.0L)
+    return std::nullopt;
+  const long double joint = along - meant.working_mode * std::sqrt(square) + part * error;
+  const LongVector first = toLong(meant.origin) - toLong(meant.platform);
+  const LongVector last = toLong(built.origin) - toLong(built.platform);
+  const LongVector direction = (was + part * (now - was)).normalized();
+  return StrutSphereOf{ first + part * (last - first) + joint * direction,
+                        length + part * (built.length.mid() - length) };
+}
+
+/// The point on three spheres that Newton's method comes to.
+inline LongVector meetingOf(const std::array<StrutSphereOf, 3>& spheres, LongVector from)
+{
+  for (int step = 0; step < 20; ++step)
+  {
+    LongMatrix rows;
+    LongVector rest;
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+      const auto& [center, radius] = spheres[static_cast<std::size_t>(i)];
+      rows.row(i) = (from - center).transpose();
+      rest[i] = ((from - center).squaredNorm() - radius * radius) / 2;
+    }
+    const LongVector change = rows.partialPivLu().solve(rest);
+    from -= change;
+    if (change.norm() < 1e-17L)
+      break;
+  }
+  return from;
+}
+
+/// How far the tool of the machine that was built stands from the point where the nominal machine has it at the same
+/// joint values but for their errors [m]; infinite where it cannot be assembled. Written from the definition, followed
+/// from the nominal machine to the built one.
+/// @param share of the errors of the joints, -1 to 1
+inline double toolError(const Machine& meant, const Machine& is, const Deviation& deviation, const JointValues& errors,
+                        const std::array<double, 3>& share, const Eigen::Vector3d& point)
+{
+  const LongVector p = point.cast<long double>();
+  LongVector at = p;
+  for (const long double part : { 0.5L, 1.0L })
+  {
+    std::array<StrutSphereOf, 3> spheres;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SlidingStrut& was = slidingStrut(meant.legs()[i]);
+      const auto sphere = sphereOf(was, slidingStrut(is.legs()[i]), p,
+                                   was.tolerance.zero * deviation.share[i][15] + errors[i] * share[i], part);
+      if (!sphere)
+        return INF;
+      spheres[i] = *sphere;
+    }
+    at = meetingOf(spheres, at);
+  }
+  return static_cast<double>((at - p).norm());
+}
+
+/// The longest of them over all signs of the joints' errors [m].
+inline double largestToolError(const Machine& meant, const Deviation& deviation, const JointValues& errors,
+                               const Eigen::Vector3d& point)
+{
+  const Machine is = built(meant, deviation);
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+    largest = std::max(largest,
+                       toolError(meant, is, deviation, errors,
+                                 { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0 }, point));
+  return largest;
+}
+
+/// What is asked of the machine where its tool stands: errors of position are about where it is believed to stand.
+inline Criterion withoutErrors(Criterion criterion)
+{
+  criterion.position_error_max = 0.0;
+  return criterion;
+}
+
 /// Whether the machine that was built so satisfies the criterion at the point, in 100 digits.
 inline bool isGood(const Machine& meant, const Deviation& deviation, const Criterion& criterion,
                    const Eigen::Vector3d& point)
 {
   try
   {
-    return Oracle(built(meant, deviation), criterion).isGood(point);
+    return Oracle(built(meant, deviation), withoutErrors(criterion)).isGood(point) &&
+           (criterion.position_error_max == 0.0 ||
+            largestToolError(meant, deviation, criterion.joint_error_max, point) <= criterion.position_error_max);
   }
   catch (const std::invalid_argument&)
   {
@@ -107,7 +213,11 @@ inline double marginOf(const Machine& meant, const Deviation& deviation, const C
 {
   try
   {
-    return BoxTest(built(meant, deviation), criterion).margin(point);
+    const double margin = BoxTest(built(meant, deviation), withoutErrors(criterion)).margin(point);
+    return criterion.position_error_max == 0.0
+               ? margin
+               : std::min(margin, 1.0 - largestToolError(meant, deviation, criterion.joint_error_max, point) /
+                                            criterion.position_error_max);
   }
   catch (const std::invalid_argument&)
   {

@@ -60,7 +60,8 @@ struct Criterion
   double tool_speed_min = 0.0;      ///< least speed that the joints allow [m/s]
   double tool_force_min = 0.0;      ///< least static force that the joints allow [N]
   double stiffness_min = 0.0;       ///< least stiffness [N/m]
-  double position_error_max = 0.0;  ///< largest error of position, to first order in the joints' errors [m]
+  double position_error_max = 0.0;  ///< largest error of position, to first order in the joints' errors; of a machine
+                                    ///< with tolerances, of these too, to all orders [m]
   // Of each strut against its rail:
   double strut_angle_min = 0.0;  ///< least angle, in (0, pi/2) [rad]
   double strut_angle_max = 0.0;  ///< largest angle, >= strut_angle_min [rad]
@@ -99,7 +100,12 @@ struct Criterion
     return strut_tilt_max[leg] > 0.0 && strut_tilt_max[leg] < ball_tilt_max ? strut_tilt_max[leg] : ball_tilt_max;
   }
   /// Whether det A has no zero in the set, so that one point of a connected region settles its sign.
-  bool settlesAspect() const { return boundsBelow() || boundsCondition() || definesSign(); }
+  /// @param is_tolerated whether it is asked of all machines within tolerances: errors of position are then about the
+  /// nominal one
+  bool settlesAspect(bool is_tolerated = false) const
+  {
+    return boundsBelow() || boundsCondition() || definesSign(is_tolerated);
+  }
   /// Encloses the larger of psi_min and 1 / force_max. @pre boundsBelow()
   Interval leastFactor() const;
   /// Encloses the smaller of psi_max and 1 / force_min. @pre boundsAbove()
@@ -107,7 +113,10 @@ struct Criterion
 
 private:
   /// Whether a condition fails where det A is 0, besides those on factors.
-  bool definesSign() const { return tool_force_min > 0.0 || stiffness_min > 0.0 || position_error_max > 0.0; }
+  bool definesSign(bool is_tolerated = false) const
+  {
+    return tool_force_min > 0.0 || stiffness_min > 0.0 || (position_error_max > 0.0 && !is_tolerated);
+  }
 };
 
 /// Whether they ask for the same: criterion_bytes.h.

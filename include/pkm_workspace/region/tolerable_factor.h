@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "pkm_workspace/dexterity/point_evaluation.h"
-#include "pkm_workspace/machine/tolerances.h"
+#include "pkm_workspace/region/bad_machine.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/region/solid.h"
 
@@ -20,14 +20,6 @@ struct FactorQuery
   Budget budget;
   /// Called with the best factors so far, that holds and that fails, if given.
   std::function<void(double, double)> tell = {};
-};
-
-/// What one kind of tolerance of one leg takes off the margin at the place that binds.
-struct ToleranceShare
-{
-  const ToleranceKind* kind;
-  int leg;
-  double share;  ///< of all that is lost there, 0 to 1
 };
 
 /// The machine's tolerances times a factor: the region is good on all machines within `holds` of them, and bad on one

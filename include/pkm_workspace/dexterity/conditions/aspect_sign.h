@@ -31,7 +31,7 @@ public:
 
   AspectSign(const Machine& machine, const Criterion& criterion)
     : is_asked_(criterion.aspect != Criterion::Aspect::BOTH)
-    , is_settled_(criterion.settlesAspect())
+    , is_settled_(criterion.settlesAspect(machine.hasTolerances()))
     , sign_(Interval(is_asked_ ? criterion.wantedSign(machine.aspect()) : machine.aspect()))
     , meeting_(machine)
   {}
