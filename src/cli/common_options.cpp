@@ -17,7 +17,7 @@ namespace
 {
 constexpr const char* URDF_HELP = "URDF of the machine: three branches, cut at the platform";
 constexpr const char* RAILS_HELP =
-    "names of the three prismatic joints that move the machine; needed when the URDF has more than three";
+    "names of the three joints that drive the legs, prismatic ones or cranks; needed when the URDF has more";
 constexpr const char* TCP_LINKS_HELP =
     "names of the three links, one a leg, that are the tool point; without it, the deepest that coincide";
 

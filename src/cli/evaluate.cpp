@@ -63,6 +63,15 @@ std::string text(const Json& value, const std::string& unit)
   return joined(words, "  ");
 }
 
+/// The joint values, each in its unit.
+std::string jointsText(const Json& values, const Machine& machine)
+{
+  Words words;
+  for (std::size_t i = 0; i < 3; ++i)
+    words.push_back(text(values[i], std::string(" ") + unitOf(machine.legs()[i])));
+  return joined(words, "  ");
+}
+
 std::string padded(const std::string& text, std::size_t width)
 {
   return std::string(width - std::min(width, text.size()), ' ') + text;
@@ -219,7 +228,8 @@ private:
     add("own aspect", "aspect_ok", " (proved)");
     add("psi", "psi", "");
     add("condition of J", "condition", "");
-    add("rho", "rho", " m");
+    if (!json["rho"].is_null())
+      rows.push_back({ "rho", jointsText(json["rho"], machine_.machine()) });
     add("serial", "serial_singularity", "   (least |eta| / L; 0 at a serial singularity)");
     add("parallel", "parallel_singularity", "   (|det A| / (L1 L2 L3); 0 at a parallel singularity)");
     add("det A", "det_a", " m^3");

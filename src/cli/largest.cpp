@@ -59,10 +59,14 @@ std::string table(const Machine& machine, const std::array<JointRange, 3>& range
 {
   const auto least = [decimals](const Interval& x) { return cell(x, roundedDown(x.lower(), decimals), decimals); };
   const auto most = [decimals](const Interval& x) { return cell(x, roundedUp(x.upper(), decimals), decimals); };
-  std::vector<Words> rows = { { "joint", "lower [m]", "upper [m]", "stroke [m]", "across [m]" } };
+  const bool has_angles =
+      std::any_of(machine.legs().begin(), machine.legs().end(), [](const Leg& leg) { return hasAngle(leg); });
+  std::vector<Words> rows =
+      has_angles ? std::vector<Words>{ { "joint", "lower", "upper", "stroke", "across" } }
+                 : std::vector<Words>{ { "joint", "lower [m]", "upper [m]", "stroke [m]", "across [m]" } };
   for (std::size_t i = 0; i < 3; ++i)
-    rows.push_back({ machine.leg(static_cast<int>(i)).joint, least(ranges[i].lower), most(ranges[i].upper),
-                     most(ranges[i].stroke), most(ranges[i].across) });
+    rows.push_back({ machine.legs()[i].joint + (has_angles ? std::string(" [") + unitOf(machine.legs()[i]) + "]" : ""),
+                     least(ranges[i].lower), most(ranges[i].upper), most(ranges[i].stroke), most(ranges[i].across) });
   return aligned(rows, Align::RIGHT);
 }
 

@@ -128,6 +128,7 @@ Json toJson(const Machine& machine, const std::array<JointRange, 3>& ranges)
   Json json = Json::array();
   for (std::size_t i = 0; i < 3; ++i)
     json.push_back({ { "joint", machine.leg(static_cast<int>(i)).joint },
+                     { "unit", unitOf(machine.legs()[i]) },
                      { "lower", ranges[i].lower.lower() },
                      { "upper", ranges[i].upper.upper() },
                      { "stroke", ranges[i].stroke.upper() },

@@ -116,8 +116,9 @@ void addMotion(const PathMotion& motion, const Machine& machine, std::vector<Wor
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::string joint = jointOf(machine, i);
-    rows.push_back({ "rho of " + joint, bracket(motion.joint[i].lower(), motion.joint[i].upper()) + " m" });
-    rows.push_back({ "speed of " + joint, "up to " + significantAbove(motion.joint_speed[i], 6) + " m/s" });
+    const std::string unit = std::string(" ") + unitOf(machine.legs()[i]);
+    rows.push_back({ "rho of " + joint, bracket(motion.joint[i].lower(), motion.joint[i].upper()) + unit });
+    rows.push_back({ "speed of " + joint, "up to " + significantAbove(motion.joint_speed[i], 6) + unit + "/s" });
   }
 }
 
@@ -126,8 +127,9 @@ void addRates(const PathRates& rates, const Machine& machine, std::vector<Words>
   for (std::size_t i = 0; i < 3; ++i)
   {
     const double most = rates.joint_acceleration[i];
-    rows.push_back({ "acceleration of " + jointOf(machine, i),
-                     most < INF ? "up to " + significantAbove(most, 6) + " m/s^2" : "unknown" });
+    rows.push_back(
+        { "acceleration of " + jointOf(machine, i),
+          most < INF ? "up to " + significantAbove(most, 6) + " " + unitOf(machine.legs()[i]) + "/s^2" : "unknown" });
   }
   rows.push_back({ "largest feed", feedText(rates.feed) });
 }

@@ -70,8 +70,12 @@ void validateJointData(const Criterion& criterion, Problems& problems)
 void requireProvable(const Machine& machine, const Criterion& criterion, Problems& problems)
 {
   for (int leg = 0; criterion.hinge_limits && leg < 3; ++leg)
-    for (const std::string& reason : slidingStrut(machine.leg(leg)).open_hinges)
+    for (const std::string& reason : passiveJoints(machine.leg(leg)).open_hinges)
       complain(problems, "hinge_limits cannot be proved: ", reason);
+  for (int leg = 0; criterion.strut_angle_min > 0.0 && leg < 3; ++leg)
+    if (std::holds_alternative<TelescopicStrut>(machine.leg(leg).kind))
+      complain(problems, "strut_angle_min cannot hold: joint '", machine.leg(leg).joint,
+               "' lengthens its strut, which has no angle against the way of its drive; leave it at 0");
   // of a machine that is off by its tolerances, joints may be exact
   const auto isNeeded = [&](const JointDatum& datum) {
     return datum.is_needed && !(datum.bound == &Criterion::position_error_max && machine.hasTolerances());

@@ -37,10 +37,12 @@ void PackKernel<Real, Model>::rates(const CurvePiece* pieces, const SkewBox<doub
   for (std::size_t first = 0; first < count; first += W)
   {
     const std::size_t rest = count - first;
-    const auto forms = model_.evaluate(gather<Real>(pieces + first, &CurvePiece::points, rest));
+    const SkewBox<Real> points = gather<Real>(pieces + first, &CurvePiece::points, rest);
+    const auto forms = model_.evaluate(points);
     const SkewBox<Real> tangents = gather<Real>(pieces + first, &CurvePiece::tangents, rest);
     const SkewBox<Real> bends = gather<Real>(curvatures + first, rest);
-    scatter(ratesOver(model_.legs(), forms, asVector(model_.lifted(tangents)), asVector(model_.lifted(bends))),
+    scatter(ratesOver(model_.legs(), forms, model_.lifted(points), asVector(model_.lifted(tangents)),
+                      asVector(model_.lifted(bends))),
             rates + first, rest);
   }
 }

@@ -109,8 +109,8 @@ inline PieceRanges<Real> rangesOver(const LegModels<Real>& legs, const MachineFo
     const AffineForm<Real> rho = legs.joint(i, forms, points);
     ranges.psi[i] = { select(reaches, ranges.psi[i].lower, Real(0.0)), select(reaches, ranges.psi[i].upper, infinite) };
     ranges.joint[i] = { select(reaches, rho.lower(), -infinite), select(reaches, rho.upper(), infinite) };
-    ranges.speed[i] =
-        select(reaches, Quotient<Real>(dot(forms.legs[i].row, direction), forms.legs[i].drive).largest(), infinite);
+    const Quotient<Real> speed(dot(forms.legs[i].row, direction), forms.legs[i].drive);
+    ranges.speed[i] = select(reaches, legs.rateAbove(i, speed.largest()), infinite);
   }
   return ranges;
 }
@@ -125,11 +125,13 @@ struct JointRates
 /// Encloses q' = n . t / b, q'' = (n' . t - b' q' + n . k) / b for the tangent t and the curvature k (docs/theory.md).
 template <class Real>
 inline JointRates<Real> ratesOver(const LegModels<Real>& legs, const MachineForms<Real>& forms,
-                                  const AffineVector<Real>& tangent, const AffineVector<Real>& curvature)
+                                  const SkewBox<Real>& points, const AffineVector<Real>& tangent,
+                                  const AffineVector<Real>& curvature)
 {
   const MaskOf<Real> reaches = reachesAll(legs, forms);
-  const auto magnitude = [&reaches](const Quotient<Real>& x) {
-    return Span<Real>{ select(reaches, x.least(), Real(0.0)), select(reaches, x.largest(), Real(INF)) };
+  const auto magnitude = [&](std::size_t leg, const Quotient<Real>& x) {
+    return Span<Real>{ select(reaches, legs.rateBelow(leg, x.least()), Real(0.0)),
+                       select(reaches, legs.rateAbove(leg, x.largest()), Real(INF)) };
   };
   JointRates<Real> rates;
   for (std::size_t i = 0; i < 3; ++i)
@@ -141,9 +143,9 @@ inline JointRates<Real> ratesOver(const LegModels<Real>& legs, const MachineForm
     const AffineForm<Real> quotient =
         select(turned, -speed.rest, speed.rest) * inverseOf(select(turned, -drive, drive)) +
         Enclosed<Real>(speed.ratio, Real(0));
-    const AffineForm<Real> force = legs.turning(i, tangent, quotient) + dot(row, curvature);
-    rates.speed[i] = magnitude(speed);
-    rates.acceleration[i] = magnitude({ force, drive });
+    const AffineForm<Real> force = legs.turning(i, forms, points, tangent, quotient) + dot(row, curvature);
+    rates.speed[i] = magnitude(i, speed);
+    rates.acceleration[i] = magnitude(i, { force, drive });
   }
   return rates;
 }

@@ -22,8 +22,10 @@ double leastWidth(const Machine& machine)
   double spread = 0.0;
   for (const Leg& leg : machine.legs())
   {
+    const StrutTolerance& by = toleranceOf(leg);
+    if (by.isZero())
+      continue;
     const SlidingStrut& strut = slidingStrut(leg);
-    const StrutTolerance& by = strut.tolerance;
     const double sides =
         std::max({ by.slider[0] + by.platform[0], by.slider[1] + by.platform[1], by.slider[2] + by.platform[2] });
     spread = std::max(

@@ -27,7 +27,8 @@ Interval symmetric(const Interval& radius)
 class OuterBounds
 {
 public:
-  OuterBounds(const Machine& machine, const Criterion& criterion) : machine_(machine), steepest_(steepest(criterion))
+  OuterBounds(const Machine& machine, const Criterion& criterion)
+    : machine_(machine), steepest_(steepest(machine, criterion))
   {
     IntervalMatrix sum;
     for (std::size_t i = 0; i < 3; ++i)
@@ -87,14 +88,15 @@ private:
 Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
 {
   const Interval& limits = machine.leg(i).limits;
-  return limits.isBounded() ? boundingBox(pointsWithin(machine.enclosed(i), limits, steepest(criterion))) : EVERYWHERE;
+  return limits.isBounded() ? boundingBox(pointsWithin(machine.enclosed(i), limits, steepest(machine, criterion)))
+                            : EVERYWHERE;
 }
 
 /// Parallel rails by the limits of several legs: e . p = e . c + sense (rho + eta) for each, with e that of the first.
 Box boundsByLimitsTogether(const Machine& machine, const Criterion& criterion)
 {
   const IntervalVector& e = directionOfRails(machine);
-  const std::optional<Interval> slope = steepest(criterion);
+  const std::optional<Interval> slope = steepest(machine, criterion);
   Interval along = Interval::entire();
   for (int i = 0; i < 3 && !along.isEmpty(); ++i)
   {
@@ -112,9 +114,9 @@ Box boundsByLimitsTogether(const Machine& machine, const Criterion& criterion)
 }
 }  // namespace
 
-std::optional<Interval> steepest(const Criterion& criterion)
+std::optional<Interval> steepest(const Machine& machine, const Criterion& criterion)
 {
-  return steepestOf(criterion, static_cast<Conditions<double>*>(nullptr));
+  return steepestOf(machine, criterion, static_cast<Conditions<double>*>(nullptr));
 }
 
 std::array<Interval, 3> limitsThatBind(const Machine& machine, const Criterion& criterion)
@@ -181,7 +183,7 @@ Box boundsAcrossRails(const Machine& machine, const Criterion& criterion, int ax
   {
     // one leg and the plane: t = (level - c_axis - q_axis) / e_axis
     const IntervalVector& e = slidingStrut(machine.leg(i)).axis;
-    const IntervalVector q = outerBound(machine.enclosed(i), steepest(criterion)).offsets();
+    const IntervalVector q = outerBound(machine.enclosed(i), steepest(machine, criterion)).offsets();
     const Interval along = (Interval(level) - machine.center(i)[k] - q[k]) / e[k];
     bounds = intersection(bounds, boundingBox(machine.center(i) + q + along * e));
   }

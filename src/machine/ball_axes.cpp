@@ -18,7 +18,7 @@ void validateBallAxes(const BallAxes& axes, Problems& problems)
 void setBallAxes(const BallAxes& axes, Machine::Legs& legs)
 {
   for (std::size_t i = 0; !axes.empty() && i < legs.size(); ++i)
-    slidingStrut(legs[i]).ball_axes = { enclose(axes[axes.size() == 1 ? 0 : i]) };
+    passiveJoints(legs[i]).ball_axes = { enclose(axes[axes.size() == 1 ? 0 : i]) };
 }
 
 Machine withBallAxes(const Machine& machine, const BallAxes& axes)
@@ -35,7 +35,7 @@ BallAxes givenBallAxes(const Machine& machine)
 {
   BallAxes axes;
   for (const Leg& leg : machine.legs())
-    for (const IntervalVector& axis : slidingStrut(leg).ball_axes)
+    for (const IntervalVector& axis : passiveJoints(leg).ball_axes)
       axes.push_back(mid(axis));
   return axes;
 }

@@ -2,7 +2,9 @@
 #include "pkm_workspace/machine/catalogue.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
+#include <utility>
 
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/interval/text_stream.h"
@@ -16,6 +18,14 @@ void requireLength(double length)
 {
   if (!(length >= 1e-9 && length <= 1e9))
     throw std::invalid_argument("strut length L = " + exact(length) + " m must be from 1e-9 m to 1e9 m");
+}
+
+/// Outward in the plane z = 0: at 0, 120 and 240 degrees.
+std::array<IntervalVector, 3> threeDirections()
+{
+  const Interval half = Interval(1.0) / Interval(2.0);
+  const Interval sine = sqrt(Interval(3.0)) * half;
+  return { IntervalVector{ 1.0, 0.0, 0.0 }, IntervalVector{ -half, sine, 0.0 }, IntervalVector{ -half, -sine, 0.0 } };
 }
 }  // namespace
 
@@ -61,9 +71,7 @@ Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, do
     text << "R - r = " << offset << " m must lie between 0 and the strut length L = " << length << " m";
     throw std::invalid_argument(text.str());
   }
-  const Interval half = Interval(1.0) / Interval(2.0);
-  const Interval sine = sqrt(Interval(3.0)) * half;
-  const IntervalVector directions[] = { { 1.0, 0.0, 0.0 }, { -half, sine, 0.0 }, { -half, -sine, 0.0 } };
+  const auto directions = threeDirections();
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -77,6 +85,68 @@ Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, do
   }
   const double depth = sqrt(sqr(Interval(length)) - sqr(offset)).mid();
   return Machine("uranesx", legs, Eigen::Vector3d(0.0, 0.0, -depth));
+}
+
+namespace
+{
+void requireLengths(const std::initializer_list<std::pair<const char*, double>>& lengths)
+{
+  for (const auto& [name, length] : lengths)
+    if (!(length >= 1e-9 && length <= 1e9))
+      throw std::invalid_argument(std::string(name) + " = " + exact(length) + " m must be from 1e-9 m to 1e9 m");
+}
+
+/// How far the platform is from the plane of a machine's base. @param across what a strut of that length spans there
+double heightOf(const Interval& length, double across)
+{
+  if (!(std::abs(across) < length.lower()))
+    throw std::invalid_argument("at zero the legs span " + exact(std::abs(across)) +
+                                " m across, which must be less than their length " + exact(length.mid()) + " m");
+  return sqrt(sqr(length) - sqr(Interval(across))).mid();
+}
+}  // namespace
+
+Machine delta(const DeltaDimensions& dimensions)
+{
+  requireLengths({ { "base radius", dimensions.base_radius },
+                   { "crank", dimensions.crank },
+                   { "forearm", dimensions.forearm },
+                   { "platform radius", dimensions.platform_radius } });
+  const auto directions = threeDirections();
+  Machine::Legs legs;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    Crank crank;
+    crank.pivot = Interval(dimensions.base_radius) * directions[i];
+    crank.along = directions[i];
+    crank.across = { 0.0, 0.0, -1.0 };
+    crank.radius = dimensions.crank;
+    crank.platform = Interval(dimensions.platform_radius) * directions[i];
+    crank.length = dimensions.forearm;
+    legs[i] = { "crank_" + std::to_string(i + 1), Interval::entire(), crank };
+  }
+  const double across = dimensions.base_radius + dimensions.crank - dimensions.platform_radius;
+  return Machine("delta", legs, Eigen::Vector3d(0.0, 0.0, -heightOf(dimensions.forearm, across)));
+}
+
+Machine tripod(const TripodDimensions& dimensions)
+{
+  requireLengths({ { "base radius", dimensions.base_radius },
+                   { "platform radius", dimensions.platform_radius },
+                   { "length", dimensions.length },
+                   { "stroke", dimensions.stroke } });
+  const auto directions = threeDirections();
+  Machine::Legs legs;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    TelescopicStrut strut;
+    strut.foot = Interval(dimensions.base_radius) * directions[i];
+    strut.platform = Interval(dimensions.platform_radius) * directions[i];
+    strut.length = dimensions.length;
+    legs[i] = { "strut_" + std::to_string(i + 1), { -0.5 * dimensions.stroke, 0.5 * dimensions.stroke }, strut };
+  }
+  const double across = dimensions.base_radius - dimensions.platform_radius;
+  return Machine("tripod", legs, Eigen::Vector3d(0.0, 0.0, heightOf(dimensions.length, across)));
 }
 
 Machine uranesx()

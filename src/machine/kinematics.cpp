@@ -27,9 +27,9 @@ std::optional<std::array<LegAtPoint, 3>> legsAt(const Machine& machine, const Ve
   return legs;
 }
 
-bool isInModeOf(const Machine& machine, int leg, const Vector3d& strut)
+bool isInModeOf(const Machine& machine, int leg, double joint, const Vector3d& strut)
 {
-  return visitLeg([&strut](const auto& kind) { return isInMode(kind, strut); }, machine.meant(leg));
+  return visitLeg([&](const auto& kind) { return isInMode(kind, joint, strut); }, machine.meant(leg));
 }
 }  // namespace
 
@@ -119,7 +119,7 @@ std::optional<Vector3d> assemble(const Machine& machine, const Vector3d& rho, in
     const Matrix3d struts = p.replicate<1, 3>() - centers;  // columns d_i
     bool fits = aspect * struts.determinant() > 0.0;
     for (int i = 0; i < 3; ++i)
-      fits = fits && isInModeOf(machine, i, struts.col(i));
+      fits = fits && isInModeOf(machine, i, rho[i], struts.col(i));
     if (fits)
       return p;
   }

@@ -18,6 +18,8 @@ void validateLeg(const Leg& leg, const std::string& place, Problems& problems)
   visitLeg([&](const auto& kind) { validate(kind, place, problems); }, leg.kind);
   if (leg.limits.isEmpty())
     complain(problems, place, ": the joint limits leave no value");
+  else if (problems.empty())
+    visitLeg([&](const auto& kind) { validateLimits(kind, leg.limits, place, problems); }, leg.kind);
   const std::pair<double, const char*> drive[] = { { leg.speed, "speed" }, { leg.effort, "effort" } };
   for (const auto& [most, what] : drive)
     if (!(most > 0.0))
@@ -68,7 +70,8 @@ Machine::Machine(std::string name, Legs legs, const Eigen::Vector3d& zero)
   for (std::size_t i = 0; i < 3; ++i)
   {
     Leg meant = legs_[i];
-    slidingStrut(meant).tolerance = {};
+    if (auto* const strut = std::get_if<SlidingStrut>(&meant.kind))
+      strut->tolerance = {};
     enclosed_[i] = prepare(legs_[i]);
     meant_[i] = prepare(meant);
   }
@@ -87,7 +90,7 @@ bool Machine::hasParallelRails() const
 
 bool Machine::hasTolerances() const
 {
-  return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return !slidingStrut(leg).tolerance.isZero(); });
+  return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return !toleranceOf(leg).isZero(); });
 }
 
 bool Machine::hasJointLimits() const
@@ -98,13 +101,13 @@ bool Machine::hasJointLimits() const
 bool Machine::hasHingeLimits() const
 {
   return std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) {
-    return !slidingStrut(leg).stops.empty() || !slidingStrut(leg).open_hinges.empty();
+    return !passiveJoints(leg).stops.empty() || !passiveJoints(leg).open_hinges.empty();
   });
 }
 
 std::vector<IntervalVector> Machine::ballAxes(int i) const
 {
-  const std::vector<IntervalVector>& given = slidingStrut(leg(i)).ball_axes;
+  const std::vector<IntervalVector>& given = passiveJoints(leg(i)).ball_axes;
   return given.empty()
              ? std::vector<IntervalVector>{ configurationAt(*this, zero_)->strut[static_cast<std::size_t>(i)] }
              : given;

@@ -27,6 +27,16 @@ inline bool isOrdinaryLength(const Interval& length)
   return length.isBounded() && length.upper() >= SHORTEST && length.lower() <= LARGEST;
 }
 
+/// Angles that a crank may be counted from [rad].
+constexpr double LARGEST_TURN = 100.0;
+
+const IntervalMatrix UNIT_MATRIX = { IntervalVector{ 1.0, 0.0, 0.0 }, IntervalVector{ 0.0, 1.0, 0.0 },
+                                     IntervalVector{ 0.0, 0.0, 1.0 } };
+
+/// What is at the share t between two numbers: exact at both ends, and where both are the same.
+Interval between(const Interval& first, const Interval& last, const Interval& t);
+IntervalVector between(const IntervalVector& first, const IntervalVector& last, const Interval& t);
+
 /// Both ends, digit by digit; -0 is 0.
 std::string exactText(const Interval& x);
 std::string exactText(const IntervalVector& v);

@@ -24,19 +24,6 @@ IntervalMatrix projectorAcross(const IntervalVector& axis)
   return projector;
 }
 
-/// Exact at both ends, and where both numbers are the same.
-Interval between(const Interval& first, const Interval& last, const Interval& t)
-{
-  if (first == last || t == Interval(0.0))
-    return first;
-  return t == Interval(1.0) ? last : first + t * (last - first);
-}
-
-IntervalVector between(const IntervalVector& first, const IntervalVector& last, const Interval& t)
-{
-  return { between(first[0], last[0], t), between(first[1], last[1], t), between(first[2], last[2], t) };
-}
-
 IntervalVector directionBetween(const IntervalVector& first, const IntervalVector& last, const Interval& t)
 {
   const IntervalVector sum = between(first, last, t);
@@ -128,29 +115,10 @@ void validate(const SlidingStrut& strut, const std::string& place, Problems& pro
     complain(problems, place, ": working mode ", strut.working_mode, " must be +1 or -1");
 }
 
-namespace
-{
-std::string textOfStops(const SlidingStrut& strut)
-{
-  std::string text;
-  for (const StrutStop& stop : strut.stops)
-    text += (stop.is_upper ? " upper stop" : " lower stop") + exactText(stop.direction) + exactText(stop.least);
-  return text;
-}
-
-std::string textOfBallAxes(const SlidingStrut& strut)
-{
-  std::string text;
-  for (const IntervalVector& axis : strut.ball_axes)
-    text += " ball axis" + exactText(axis);
-  return text;
-}
-}  // namespace
-
 std::string exactText(const SlidingStrut& strut)
 {
   return " mode " + std::to_string(strut.working_mode) + exactText(strut.origin) + exactText(strut.axis) +
-         exactText(strut.platform) + exactText(strut.length) + textOfStops(strut) + textOfBallAxes(strut) +
+         exactText(strut.platform) + exactText(strut.length) + exactText(static_cast<const PassiveJoints&>(strut)) +
          exactText(strut.tolerance);
 }
 
@@ -160,10 +128,7 @@ SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, co
   result.origin = rotation * strut.origin + translation;
   result.axis = rotation * strut.axis;
   result.platform = rotation * strut.platform;
-  for (StrutStop& stop : result.stops)
-    stop.direction = rotation * stop.direction;
-  for (IntervalVector& axis : result.ball_axes)
-    axis = rotation * axis;
+  turn(rotation, result);
   result.tolerance.axes = rotation * strut.tolerance.axes;
   return result;
 }
@@ -171,15 +136,11 @@ SlidingStrut moved(const SlidingStrut& strut, const IntervalMatrix& rotation, co
 SlidingStrut between(const SlidingStrut& first, const SlidingStrut& last, const Interval& t)
 {
   SlidingStrut strut = first;
+  static_cast<PassiveJoints&>(strut) = between(static_cast<const PassiveJoints&>(first), last);
   strut.origin = between(first.origin, last.origin, t);
   strut.axis = directionBetween(first.axis, last.axis, t);
   strut.platform = between(first.platform, last.platform, t);
   strut.length = between(first.length, last.length, t);
-  if (textOfStops(first) != textOfStops(last))
-  {
-    strut.stops.clear();
-    strut.open_hinges = { "passive hinges differ between the two machines" };
-  }
   return strut;
 }
 
@@ -189,7 +150,7 @@ std::string differenceOfModes(const SlidingStrut& first, const SlidingStrut& las
     return "have opposite working modes";
   if (exactText(first.tolerance) != exactText(last.tolerance))
     return "have different tolerances: give both the same";
-  return textOfBallAxes(first) == textOfBallAxes(last) ? "" : "have different ball axes: give both the same";
+  return differenceOf(first, last);
 }
 
 std::string describe(const SlidingStrut& strut)
@@ -229,17 +190,17 @@ IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints, 
   return strut.center + outerBound(strut, steepest).offsets() + (joints + eta) * strut.axis;
 }
 
-LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p)
+std::optional<LegReach> reachAt(const EnclosedStrut& strut, const IntervalVector& p)
 {
   LegState<Interval, IntervalVector> state;
   evaluateAcross(strut, p, state);
-  return { norm(state.row), strut.length };
+  return LegReach{ norm(state.row), strut.length };
 }
 
 /// For each offset across the rail, of which there are pi L^2, joint value and way along it differ by a constant.
-Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width)
+Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& joints)
 {
-  return pi() * sqr(strut.length) * width;
+  return pi() * sqr(strut.length) * (Interval(joints.upper()) - Interval(joints.lower()));
 }
 
 /// The root of L^2 - |q|^2 is taken of (L - |q|) (L + |q|).
@@ -268,7 +229,7 @@ Eigen::Vector3d drivenPoint(const SlidingStrut& strut, double joint)
   return mid(strut.origin) + joint * mid(strut.axis);
 }
 
-bool isInMode(const EnclosedStrut& strut, const Eigen::Vector3d& row)
+bool isInMode(const EnclosedStrut& strut, double /*joint*/, const Eigen::Vector3d& row)
 {
   return strut.sign.mid() * row.dot(mid(strut.axis)) > 0.0;
 }

@@ -131,7 +131,7 @@ Tolerances tolerancesOf(const Machine& machine)
 {
   Tolerances tolerances;
   for (std::size_t i = 0; i < 3; ++i)
-    tolerances[i] = slidingStrut(machine.legs()[i]).tolerance;
+    tolerances[i] = toleranceOf(machine.legs()[i]);
   return tolerances;
 }
 
@@ -144,7 +144,7 @@ Machine withTolerances(const Machine& machine, const Tolerances& tolerances)
 {
   Machine::Legs legs = machine.legs();
   for (std::size_t i = 0; i < 3; ++i)
-    slidingStrut(legs[i]).tolerance = tolerances[i];
+    setTolerance(tolerances[i], legs[i]);
   return { machine.name(), legs, machine.zero() };
 }
 

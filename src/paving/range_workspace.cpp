@@ -32,12 +32,15 @@ Interval volumeBetween(const Machine& machine, const JointIntervals& ranges)
   {
     const Interval& outer = ranges.outer[i];
     const Interval& inner = ranges.inner[i];
-    Interval between = Interval(outer.upper()) - Interval(outer.lower());
-    if (!inner.isEmpty())
-      between =
-          (Interval(inner.lower()) - Interval(outer.lower())) + (Interval(outer.upper()) - Interval(inner.upper()));
-    volume +=
-        visitLeg([&](const auto& leg) { return volumeOfJoints(leg, between); }, machine.enclosed(static_cast<int>(i)));
+    const auto volumeOf = [&](double lower, double upper) {
+      return visitLeg(
+          [&](const auto& leg) {
+            return volumeOfJoints(leg, { lower, upper });
+          },
+          machine.enclosed(static_cast<int>(i)));
+    };
+    volume += inner.isEmpty() ? volumeOf(outer.lower(), outer.upper())
+                              : volumeOf(outer.lower(), inner.lower()) + volumeOf(inner.upper(), outer.upper());
   }
   return volume;
 }

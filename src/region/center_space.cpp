@@ -69,7 +69,7 @@ Interval lengthWithin(const OuterBound& outer, const IntervalVector& v)
 double sizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds, double slack = 0.0)
 {
   SizeBound bound;
-  const std::optional<Interval> slope = steepest(query.criterion);
+  const std::optional<Interval> slope = steepest(machine, query.criterion);
   const std::array<OuterBound, 3> reach = { outerBound(machine.enclosed(0), slope),
                                             outerBound(machine.enclosed(1), slope),
                                             outerBound(machine.enclosed(2), slope) };
@@ -115,12 +115,14 @@ double leastTurnedLength(const OuterBound& outer, const IntervalVector& v)
 double turnedSizeBound(const Machine& machine, const RegionQuery& query, const Box& bounds)
 {
   SizeBound bound;
-  const std::optional<Interval> slope = steepest(query.criterion);
+  const std::optional<Interval> slope = steepest(machine, query.criterion);
   const Growing<double> width = leastWidth(*query.shape);
   const std::vector<GrowingVector> points = query.shape->extremePoints();
   for (int leg = 0; leg < 3; ++leg)
   {
     const OuterBound outer = outerBound(machine.enclosed(leg), slope);
+    if (!outer.isBound())
+      continue;
     const Interval room = Interval(2.0) * outer.radius;
     bound.take(room, Interval(-width.fixed), Interval(width.per_size));
     for (std::size_t first = 0; first < points.size() && points.size() <= FEW_POINTS; ++first)

@@ -32,4 +32,6 @@ struct PlacedShape
 
 /// Encloses what the leg's joint does over the region. @throws std::domain_error as jointRanges()
 JointRange rangeOver(const EnclosedStrut& leg, const PlacedShape& region);
+JointRange rangeOver(const EnclosedTelescope& leg, const PlacedShape& region);
+JointRange rangeOver(const EnclosedCrank& leg, const PlacedShape& region);
 }  // namespace pkm_workspace

@@ -67,7 +67,7 @@ Box RailTravel::placesAt(double level) const
 /// sense * eta, which is what lies along e of the strut.
 Interval RailTravel::alongRail(int leg) const
 {
-  return Interval(sense(leg)) * driveRange(machine_.enclosed(leg), steepest(criterion_));
+  return Interval(sense(leg)) * driveRange(machine_.enclosed(leg), steepest(machine_, criterion_));
 }
 
 Interval RailTravel::jointRange(int leg, const Box& places) const

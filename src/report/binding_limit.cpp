@@ -48,6 +48,14 @@ std::string unitOf(Kind kind)
   return kind == Kind::ASPECT ? "" : LENGTH;
 }
 
+/// Of a limit of an angle it has radians in place of metres.
+std::string unitOf(const Limit& limit, const Machine& machine)
+{
+  const bool is_joint = limit.kind == Kind::JOINT_LOWER || limit.kind == Kind::JOINT_UPPER || isRate(limit.kind);
+  const std::string unit = unitOf(limit.kind);
+  return is_joint && hasAngle(machine.leg(limit.leg)) ? " rad" + unit.substr(LENGTH.size()) : unit;
+}
+
 Relation relationOf(const Limit& limit, const Machine& machine, int digits = DIGITS)
 {
   Relation relation;
@@ -58,7 +66,7 @@ Relation relationOf(const Limit& limit, const Machine& machine, int digits = DIG
   const double distance = limit.margin.magnitude();
   relation.is_equal = distance == 0.0;
   if (std::isfinite(distance))
-    relation.distance = significantAbove(distance, 2) + unitOf(limit.kind);
+    relation.distance = significantAbove(distance, 2) + unitOf(limit, machine);
   const double unit = unitOf(limit.kind) == LENGTH ? machine.scale() : std::max(1.0, limit.bound);
   if (!limit.value.isBounded() || !(relation.is_violated || relation.is_kept) || !(distance > NEAR * unit))
     return relation;
@@ -67,7 +75,7 @@ Relation relationOf(const Limit& limit, const Machine& machine, int digits = DIG
   const double bound = parseNumber(nearly(limit.bound, digits)).value_or(0.0);
   const bool tells = is_below ? number < std::min(bound, limit.bound) : number > std::max(bound, limit.bound);
   if (tells && value == nearly(limit.value.upper(), digits))
-    relation.value = value + unitOf(limit.kind);
+    relation.value = value + unitOf(limit, machine);
   return relation;
 }
 
@@ -83,8 +91,19 @@ std::string toWithin(const Relation& relation)
   return relation.is_equal ? " exactly" : relation.distance.empty() ? "" : ", to within " + relation.distance;
 }
 
+/// Of a crank: what its forearm ends on is nowhere that far, or that near.
+std::string reachOfCrank(const Leg& leg, const Relation& relation)
+{
+  const std::string both = "crank and forearm of '" + leg.joint + "' ";
+  if (relation.is_violated)
+    return both + "do not reach it" + byAtMost(relation);
+  return relation.is_kept ? both + "reach it" + byAtMost(relation) : both + "just reach it" + toWithin(relation);
+}
+
 std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
 {
+  if (hasAngle(leg))
+    return reachOfCrank(leg, relation);
   const std::string strut = "the strut of '" + leg.joint + "' is " + nearly(limit.bound) + " m long";
   if (!relation.value.empty())
     return strut + " and " + (relation.is_violated ? "would have to reach " : "reaches ") + relation.value +
@@ -114,16 +133,17 @@ std::string ofLeg(const Limit& limit, const Machine& machine)
 std::string jointPhrase(const Leg& leg, const Limit& limit, const Relation& relation)
 {
   const std::string bound = std::string("its ") + (limit.kind == Kind::JOINT_LOWER ? "lower" : "upper") + " limit of " +
-                            exact(limit.bound) + " m";
+                            exact(limit.bound) + " " + unitOf(leg);
   const std::string is = relation.is_violated ? "would be" : "is";
   return phrase("joint '" + leg.joint + "'", relation.value.empty() ? is : is + " at", bound, relation);
 }
 
-std::string ratePhrase(const Leg& leg, const Limit& limit, const Relation& relation)
+std::string ratePhrase(const Machine& machine, const Limit& limit, const Relation& relation)
 {
+  const Leg& leg = machine.leg(limit.leg);
   const std::string rate = limit.kind == Kind::JOINT_SPEED ? "speed" : "acceleration";
   return phrase("the " + rate + " of joint '" + leg.joint + "'", "is",
-                "its limit of " + exact(limit.bound) + unitOf(limit.kind), relation);
+                "its limit of " + exact(limit.bound) + unitOf(limit, machine), relation);
 }
 
 std::string hingePhrase(const StrutStop& stop, const Relation& relation)
@@ -184,10 +204,10 @@ std::string describe(const Limit& limit, const Machine& machine)
       return aspectPhrase(relation);
     case Kind::JOINT_SPEED:
     case Kind::JOINT_ACCELERATION:
-      return ratePhrase(machine.leg(limit.leg), limit, relation);
+      return ratePhrase(machine, limit, relation);
     case Kind::HINGE_LOWER:
     case Kind::HINGE_UPPER:
-      return hingePhrase(slidingStrut(machine.leg(limit.leg)).stops[static_cast<std::size_t>(limit.which)], relation);
+      return hingePhrase(passiveJoints(machine.leg(limit.leg)).stops[static_cast<std::size_t>(limit.which)], relation);
     case Kind::KEEP_IN:
     case Kind::KEEP_OUT:
       return zonePhrase(limit, relation);

@@ -203,8 +203,9 @@ void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d
 {
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
-  bar.points = { toMessage(drivenPoint(leg, range.lower)), toMessage(drivenPoint(leg, range.upper)) };
-  scene.addText("joint_ranges", label, range.joint + '\n' + digits(range.stroke_upper_bound, roundedUp) + " m");
+  addWay(leg, range.lower, range.upper, bar.points);
+  scene.addText("joint_ranges", label,
+                range.joint + '\n' + digits(range.stroke_upper_bound, roundedUp) + " " + unitOf(leg));
 }
 
 double unitOf(const Machine& machine)

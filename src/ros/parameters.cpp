@@ -140,7 +140,7 @@ Table tableOf(Parameters& parameters)
       entry(parameters.place.search_box, "six numbers [x0, x1, y0, y1, z0, z1], x0 <= x1 and so on [m]") },
     { "time_limit", entry(query.budget.time_limit, "a number > 0, at most 86400 [s]") },
     { "threads", entry(query.budget.threads, "a whole number >= 1") },
-    { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints, or an empty one") },
+    { "rails", entry(parameters.urdf.rails, "a list of three names of prismatic joints or cranks, or an empty one") },
     { "tcp_links", entry(parameters.urdf.tcp_links, "a list of three names of links, or an empty one") },
     { "psi", oneOf(parameters.psi, PSI_CHOICES) },
     { "tool_link", entry(parameters.urdf.tool_link, "a text, the name of a link fixed to the platform") },

@@ -16,6 +16,7 @@ using visualization_msgs::Marker;
 constexpr double LETTER = 60.0;  ///< height of letters, in units
 constexpr double GAP = 0.01;     ///< that rviz puts between lines, whatever the height of their letters [m]
 constexpr double SMALL = 0.008;  ///< letters that are no higher would stand too far apart [m]
+constexpr int PIECES_OF_ARC = 24;
 
 }  // namespace
 
@@ -94,5 +95,16 @@ std::string digits(double value, std::string (*rounded)(double, int))
   if (text.back() == '.')
     text.pop_back();
   return text;
+}
+
+void addWay(const Leg& leg, double lower, double upper, std::vector<geometry_msgs::Point>& lines)
+{
+  const int pieces = hasAngle(leg) ? PIECES_OF_ARC : 1;
+  for (int k = 0; k < pieces; ++k)
+    for (const int end : { k, k + 1 })
+    {
+      const double share = static_cast<double>(end) / pieces;
+      lines.push_back(toMessage(drivenPoint(leg, (1.0 - share) * lower + share * upper)));
+    }
 }
 }  // namespace pkm_workspace

@@ -42,6 +42,10 @@ private:
   visualization_msgs::MarkerArray array_;
 };
 
+/// Adds the way of what a leg's joint moves while it goes through these values, as a list of lines: one along a rail,
+/// an arc of some for a crank.
+void addWay(const Leg& leg, double lower, double upper, std::vector<geometry_msgs::Point>& lines);
+
 /// A bound as people write it, 0.3: exactly where that is short, else in a few digits, rounded to the side on which it
 /// holds.
 std::string digits(double value, std::string (*rounded)(double, int));

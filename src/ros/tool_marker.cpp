@@ -66,7 +66,7 @@ void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
   const double upper = std::min(leg.limits.upper(), rho + reach);
   Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);
   rail.scale.x = 8.0 * scene.unit();
-  rail.points = { toMessage(drivenPoint(leg, lower)), toMessage(drivenPoint(leg, upper)) };
+  addWay(leg, lower, upper, rail.points);
   Marker& slider = scene.add("travel", Marker::SPHERE, SLIDER);
   slider.pose.position = toMessage(drivenPoint(leg, rho));
   slider.scale.x = slider.scale.y = slider.scale.z = 45.0 * scene.unit();

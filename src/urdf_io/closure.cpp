@@ -238,7 +238,7 @@ Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const Ur
 {
   Stations stations;
   for (std::size_t i = 0; i < 3; ++i)
-    stations[i] = stationsBelow(model.link(rails[i].joint->child_link_name), model);
+    stations[i] = stationsBelow(rails[i], model);
   const Candidates candidates = options.tcp_links.empty() ? allCandidates(rails, stations)
                                                           : namedCandidates(model, rails, stations, options.tcp_links);
 

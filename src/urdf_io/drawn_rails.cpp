@@ -66,6 +66,8 @@ Interval looksBelow(const urdf::Link& link, const Isometry3d& place, const Leg& 
 
 Interval drawnAlong(const Model& model, const Leg& leg)
 {
+  if (!std::holds_alternative<SlidingStrut>(leg.kind))
+    return Interval::empty();
   return looksBelow(*model.tree->getRoot(), Isometry3d::Identity(), leg);
 }
 }  // namespace urdf_io

@@ -61,7 +61,10 @@ std::map<std::string, double> jointValues(const UrdfMachine& urdf, const Vector3
   {
     const Leg& leg = urdf.machine.leg(i);
     const StrutHinges& hinges = urdf.hinges[static_cast<std::size_t>(i)];
-    const auto angles = hingeAngles(hinges, p - sphereAt(urdf.machine.meant(i), (*rho)[i]).center);
+    Vector3d strut = p - sphereAt(urdf.machine.meant(i), (*rho)[i]).center;
+    if (std::holds_alternative<TelescopicStrut>(leg.kind))
+      strut *= hinges.strut.norm() / strut.norm();
+    const auto angles = hingeAngles(hinges, strut);
     if (!angles)
       throw unreachable(p, "the passive joints '" + hinges.joints[0] + "' and '" + hinges.joints[1] +
                                "' cannot turn the strut that far");

@@ -110,8 +110,20 @@ std::string problemWith(const urdf::Joint& joint, const JointFollower& follower,
   return "";
 }
 
+/// Lets the strut become longer, or says why the joint does not.
+void extend(Station& station, const Direction& axis, const std::string& joint)
+{
+  station.fixed_joints = 0;
+  if (station.at_slider.size() < 2 || !station.wrist.empty())
+    station.problem = "joint " + quoted(joint) +
+                      " lengthens no strut: it has to be between the passive joints at the " +
+                      "foot, two or three, and those of the wrist that undo them";
+  else
+    station.extension = axis;
+}
+
 /// The child link of @p joint, which hangs at @p parent.
-Station beyond(const Station& parent, const urdf::Joint& joint, const Model& model)
+Station beyond(const Station& parent, const urdf::Joint& joint, const Rail& rail, const Model& model)
 {
   Station station = parent;
   station.link = joint.child_link_name;
@@ -122,6 +134,11 @@ Station beyond(const Station& parent, const urdf::Joint& joint, const Model& mod
   station.offset = parent.offset + parent.frame.rotation * enclose(model.originOf(joint).xyz);
   if (joint.type == urdf::Joint::FIXED)
     return station;
+  if (rail.form == LegForm::TELESCOPE && &joint == rail.joint)
+  {
+    extend(station, directionIn(station.frame, axisOf(joint)), joint.name);
+    return station;
+  }
   const JointFollower& follower = model.masters.at(joint.name);
   station.problem = problemWith(joint, follower, model);
   if (station.problem.empty())
@@ -141,13 +158,14 @@ bool isFarther(const Station& a, const Station& b)
 }
 }  // namespace
 
-std::vector<Station> stationsBelow(const urdf::Link& slider, const Model& model)
+std::vector<Station> stationsBelow(const Rail& rail, const Model& model)
 {
   std::vector<Station> stations(1);
-  stations[0].link = slider.name;
+  stations[0].link = rail.start;
   for (std::size_t i = 0; i < stations.size(); ++i)
     for (const auto& joint : model.link(stations[i].link).child_joints)
-      stations.push_back(beyond(stations[i], *joint, model));
+      if (i > 0 || rail.first.empty() || joint->name == rail.first)
+        stations.push_back(beyond(stations[i], *joint, rail, model));
   return stations;
 }
 

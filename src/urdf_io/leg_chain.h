@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model.h"
+#include "rails.h"
 
 namespace pkm_workspace
 {
@@ -35,15 +36,17 @@ struct Station
   std::vector<Hinge> wrist;                ///< passive joints that undo those: the k-th undoes the k-th from the end
   int fixed_joints = 0;                    ///< since the last passive joint
   IntervalVector offset{ 0.0, 0.0, 0.0 };  ///< where it is, seen from the last passive joint, as in Hinge [m]
-  double turn = 0.0;    ///< upper bound of the angle that the wrist leaves, being parallel only nearly [rad]
+  double turn = 0.0;  ///< upper bound of the angle that the wrist leaves, being parallel only nearly [rad]
+  std::optional<Direction> extension = {};  ///< of the prismatic joint that lengthens the strut
   std::string problem;  ///< why neither this link nor one below can belong to the platform; empty: nothing found
 
   /// Whether the link moves without turning, on a strut that has all its freedom.
   bool isOnPlatform() const { return problem.empty() && at_slider.size() >= 2 && wrist.size() == at_slider.size(); }
 };
 
-/// All links below a slider, each after the one that carries it; the slider itself is the first.
-std::vector<Station> stationsBelow(const urdf::Link& slider, const Model& model);
+/// All links below the one where a leg's passive joints begin, each after the one that carries it; that link is the
+/// first.
+std::vector<Station> stationsBelow(const Rail& rail, const Model& model);
 
 /// Says what keeps the links below a slider from being a platform, of the branch that is nearest to it.
 std::string whyNoPlatform(const std::vector<Station>& stations);

@@ -49,16 +49,19 @@ void warnOfHinge(const urdf::Joint& joint, Notices& notices)
 
 void warnOfRail(const urdf::Joint& joint, Notices& notices)
 {
+  if (!joint.limits)
+    return;
+  const char* const unit = joint.type == urdf::Joint::PRISMATIC ? "m" : "rad";
   if (joint.limits->lower == joint.limits->upper)
   {
     const std::string remedy =
         "; many exporters write 0 0 where no limits were set. Nothing can move within these joint limits: write the "
         "real ones into the URDF, or leave joint limits out of the question";
-    const std::string value = numberText(joint.limits->lower) + " m";
+    const std::string value = numberText(joint.limits->lower) + " " + unit;
     notices.push_back({ "rail '" + joint.name + "' cannot move, its <limit> has lower = upper = " + value + remedy,
                         "rails cannot move, their <limit> has lower = upper" + remedy, value, joint.name });
   }
-  warnOfSoftLimits(joint, "m", notices);
+  warnOfSoftLimits(joint, unit, notices);
 }
 
 /// A machine of such a size is possible, and answered.

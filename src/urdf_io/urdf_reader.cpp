@@ -6,7 +6,7 @@
 
 #include "closure.h"
 #include "drawn_rails.h"
-#include "hinge_stops.h"
+#include "leg_maker.h"
 #include "number_text.h"
 #include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/interval/decimal.h"
@@ -27,30 +27,9 @@ using ClosedLegs = std::array<ClosedLeg, 3>;
 /// What is drawn this near to assembled at zero is so but for rounding [L].
 constexpr double DRAWN_ASSEMBLED = 1e-9;
 
-/// The strut of one leg at zero, in the root frame.
-IntervalVector strutOf(const Rail& rail, const ClosedLeg& leg)
-{
-  return rail.slider.rotation * leg.geometry.strut;
-}
-
 std::string strutLink(const ClosedLeg& leg)
 {
   return leg.tcp.at_slider.back().child_link;
-}
-
-/// What the limits of its passive joints mean for the strut, in the root frame.
-void addStops(const Model& model, const Rail& rail, const ClosedLeg& closed, SlidingStrut& strut)
-{
-  IntervalMatrix to_slider = rail.slider.rotation;
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t column = 0; column < 3; ++column)
-      to_slider[row][column] = rail.slider.rotation[column][row];
-  const RailOfHinges along{ rail.joint->child_link_name, to_slider * rail.axis };
-  HingeStops hinges = hingeStops(closed.tcp, closed.geometry, along, model);
-  for (StrutStop& stop : hinges.stops)
-    stop.direction = rail.slider.rotation * stop.direction;
-  strut.stops = hinges.stops;
-  strut.open_hinges = hinges.open;
 }
 
 void checkBallAxes(const BallAxes& axes)
@@ -60,22 +39,6 @@ void checkBallAxes(const BallAxes& axes)
   throwRefusal(problems);
 }
 
-Leg machineLeg(const Model& model, const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
-{
-  SlidingStrut strut;
-  addStops(model, rail, closed, strut);
-  strut.origin = rail.slider.toOuter(closed.geometry.slider_point);
-  strut.axis = rail.axis;
-  strut.direction = rail.direction;
-  strut.platform = rail.slider.rotation * closed.geometry.platform - tool;
-  strut.length = closed.geometry.length;
-  strut.working_mode = dot(strutOf(rail, closed), rail.axis).mid() > 0.0 ? 1 : -1;
-  const urdf::JointLimits& limits = *rail.joint->limits;
-  const auto known = [](double most) { return most > 0.0 ? most : INF; };  // many files have 0 where nothing is known
-  return { rail.joint->name, Interval(limits.lower, limits.upper), strut, known(limits.velocity),
-           known(limits.effort) };
-}
-
 /// The zero configuration has to show the working mode and the aspect beyond doubt.
 void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& problems)
 {
@@ -83,11 +46,12 @@ void checkSingularities(const Rails& rails, const ClosedLegs& legs, Problems& pr
   Interval volume = 1.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Interval eta = dot(strutOf(rails[i], legs[i]), rails[i].axis);
+    const Interval eta = driveAtZero(rails[i], legs[i]);
     const Interval length = legs[i].geometry.length;
     volume = volume * length;
     if (!(eta.mignitude() > least * length.upper()))
-      complain(problems, "link '", strutLink(legs[i]), "': a strut across its rail '", rails[i].joint->name,
+      complain(problems, "link '", strutLink(legs[i]), "': a strut across ",
+               rails[i].form == LegForm::CRANK ? "the way of its crank '" : "its rail '", rails[i].joint->name,
                "' at zero (serial singularity): eta = ", roundedText(eta.mid(), 6), " m, expected more than ",
                roundedText(least, 3), " L = ", roundedText(least * length.upper(), 6), " m in size");
   }
@@ -144,9 +108,10 @@ Machine makeMachine(const Model& model, const Rails& rails, const Closure& closu
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool);
-    slidingStrut(legs[i]).tolerance = tolerances[i];
+    legs[i] = machineLeg(model, rails[i], closure.legs[i], closure.tool, problems);
+    setTolerance(tolerances[i], legs[i]);
   }
+  throwRefusal(problems);
   setBallAxes(options.ball_axes, legs);
   const Machine drawn = machineAt(drawnZero(closure), model.tree->getName(), legs);
   if (closure.gap <= DRAWN_ASSEMBLED * closure.scale())

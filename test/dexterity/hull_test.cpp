@@ -57,7 +57,7 @@ Vector3d pointOf(const SmallHull& hull, int sample, test::RandomBoxes& random)
 
 TEST(Hull, verdictsHoldAtItsPoints)
 {
-  for (const Machine& machine : { orthoglide(), test::crooked(6), uranesx() })
+  for (const Machine& machine : { orthoglide(), test::crooked(6), uranesx(), delta(), test::crookedMix(7) })
   {
     int inside = 0, outside = 0;
     for (const test::MachineCase& each : test::everyCondition(machine))

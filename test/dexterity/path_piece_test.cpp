@@ -98,31 +98,39 @@ Criterion reachable()
   criterion.aspect = Criterion::Aspect::BOTH;
   return criterion;
 }
+
+/// @param inside, @param outside the fewest of 300 pieces that have to be
+void expectVerdictsOfTheOracle(const Machine& machine, int inside, int outside)
+{
+  for (const Criterion& criterion : { Criterion(), reachable() })
+  {
+    const BoxTest test(machine, criterion);
+    const Oracle oracle(machine, criterion);
+    RandomBoxes random(SEED);
+    std::array<int, 3> found{};
+    for (int k = 0; k < cases(300); ++k)
+    {
+      const Piece piece(machine, random);
+      const CurvePiece path_piece = piece.asPathPiece();
+      BoxVerdict verdict;
+      test.kernel().look(&path_piece, 1, &verdict, nullptr);
+      ++found[static_cast<std::size_t>(verdict)];
+      for (int sample = 0; sample < 4 && verdict != BoxVerdict::UNDECIDED; ++sample)
+        ASSERT_EQ(oracle.isGood(piece.point(0.999999999 * randomDelta(random))), verdict == BoxVerdict::INSIDE)
+            << machine.name() << ", seed " << SEED << ", case " << k;
+    }
+    EXPECT_GT(found[0], cases(inside)) << machine.name();
+    EXPECT_GE(found[1], cases(outside)) << machine.name();
+  }
+}
 }  // namespace
 
 TEST(PathPiece, verdictsAgreeWithTheOracle)
 {
-  for (const Machine& machine : everyKind())
-    for (const Criterion& criterion : { Criterion(), reachable() })
-    {
-      const BoxTest test(machine, criterion);
-      const Oracle oracle(machine, criterion);
-      RandomBoxes random(SEED);
-      std::array<int, 3> found{};
-      for (int k = 0; k < cases(300); ++k)
-      {
-        const Piece piece(machine, random);
-        const CurvePiece path_piece = piece.asPathPiece();
-        BoxVerdict verdict;
-        test.kernel().look(&path_piece, 1, &verdict, nullptr);
-        ++found[static_cast<std::size_t>(verdict)];
-        for (int sample = 0; sample < 4 && verdict != BoxVerdict::UNDECIDED; ++sample)
-          ASSERT_EQ(oracle.isGood(piece.point(0.999999999 * randomDelta(random))), verdict == BoxVerdict::INSIDE)
-              << machine.name() << ", seed " << SEED << ", case " << k;
-      }
-      EXPECT_GT(found[0], cases(10)) << machine.name();
-      EXPECT_GT(found[1], cases(20)) << machine.name();
-    }
+  for (const Machine& machine : slidingKinds())
+    expectVerdictsOfTheOracle(machine, 10, 21);
+  for (const Machine& machine : otherLegs())
+    expectVerdictsOfTheOracle(machine, 3, 0);  // of a tripod every point is reached
 }
 
 TEST(PathPiece, motionsHoldEveryPoint)
@@ -160,7 +168,7 @@ TEST(PathPiece, motionsAreTightToSecondOrder)
     const BoxTest test(machine, Criterion());
     RandomBoxes random(SEED);
     int tried = 0;
-    for (int k = 0; k < cases(300); ++k)
+    for (int k = 0; k < cases(3000) && tried <= cases(30); ++k)
     {
       Piece piece(machine, random);
       const double length = 1e-4 * machine.scale();
@@ -181,7 +189,7 @@ TEST(PathPiece, motionsAreTightToSecondOrder)
         EXPECT_GE(psi.lower, std::min(first[i], last[i]) - 3e-5) << machine.name() << ", case " << k;
         EXPECT_LE(psi.upper, std::max(first[i], last[i]) + 3e-5);
       }
-      EXPECT_LE(motion.speed[0], speed[0] + 2e-3);
+      EXPECT_LE(motion.speed[0], speed[0] / driveScale(machine.leg(0)).mid() + 2e-3);
     }
     EXPECT_GT(tried, cases(10)) << machine.name();
   }

@@ -43,7 +43,7 @@ std::vector<Criterion> everyCriterion()
 /// Every kind of machine, and the Orthoglide on the other side of its parallel singularity.
 std::vector<Machine> machines()
 {
-  std::vector<Machine> machines = test::everyKind();
+  std::vector<Machine> machines = test::slidingKinds();
   machines.emplace_back("other aspect", orthoglide().legs(), Eigen::Vector3d::Constant(-0.546));
   return machines;
 }

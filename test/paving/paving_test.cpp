@@ -131,7 +131,7 @@ TEST(Paving, findsItsOwnBoxAndRefusesAnUnboundedOne)
   legs[1].limits = Interval(-0.1, std::numeric_limits<double>::infinity());
   const Machine half_bounded("half_bounded", legs, uranesx().zero());
   const std::string rails =
-      "parallel.*1000 struts; the rails go: 'rail_1' without limits, 'rail_2' from -0.1 m upwards, 'rail_3' without "
+      "parallel.*1000 struts; the joints go: 'rail_1' without limits, 'rail_2' from -0.1 m upwards, 'rail_3' without "
       "limits";
   test::expectThrow<Unbounded>([&] { pave(half_bounded, wanted); }, rails + "$");
   test::expectThrow<std::invalid_argument>(

@@ -119,7 +119,7 @@ TEST(SetVolume, zonesWithinReach)
 // The share of seeded points that belong to the set by its definition, within five standard deviations.
 TEST(SetVolume, agreesWithSeededPointsForEveryCondition)
 {
-  for (const Machine& machine : { orthoglide(0.31058), test::crooked(1), test::cone() })
+  for (const Machine& machine : { orthoglide(0.31058), test::crooked(1), test::cone(), test::crookedMix(4) })
     for (const test::MachineCase& each : test::everyCondition(machine))
     {
       SCOPED_TRACE(machine.name() + ", " + each.name + ", seed " + std::to_string(SEED));

@@ -13,9 +13,12 @@ namespace pkm_workspace
 {
 namespace test
 {
-/// The joint value q for which the slider, at origin + q axis, is a strut's length from the platform point.
+/// The joint value q for which the slider, at origin + q axis, is a strut's length from the platform point; of other
+/// legs that of their triangles.
 inline Number solvedJoint(const Machine& machine, int i, const Oracle::Vector& p, double guess)
 {
+  if (!std::holds_alternative<SlidingStrut>(machine.leg(i).kind))
+    return legAt(machine.leg(i), p).joint;
   const SlidingStrut& strut = slidingStrut(machine.leg(i));
   Oracle::Vector e, offset;
   Number square = 0;

@@ -5,6 +5,7 @@
 
 #include "pkm_workspace/region/containment.h"
 #include "support/cases.h"
+#include "support/driven_criteria.h"
 #include "support/machines.h"
 #include "support/oracle.h"
 #include "support/random.h"
@@ -130,7 +131,8 @@ TEST(LargestRegion, worksForEveryKindOfMachine)
   for (const Machine& machine : test::everyKind())
   {
     const ShapePtr shape = machine.hasParallelRails() ? makeSquare() : makeBox({ 1.0, 0.8, 1.3 });
-    const RegionQuery wanted = query(shape, 1e-3 * machine.scale());
+    RegionQuery wanted = query(shape, 1e-3 * machine.scale());
+    wanted.criterion.joint_limits = test::hasTelescopes(machine);
     const LargestRegion region = findLargestRegion(machine, wanted);
     expectProven(region, wanted);
     const test::Oracle oracle(machine, wanted.criterion);

@@ -63,12 +63,29 @@ std::optional<Reading> readReach(Claim claim)
   return std::nullopt;
 }
 
-std::optional<Reading> read(const std::string& text)
+/// What a crank's reach is measured by is not told.
+std::optional<Reading> readReachOfCrank(Claim claim, double bound)
+{
+  if (claim.says("crank and forearm of '.*' do not reach it, by at most # m"))
+    return Reading{ 1, {}, claim.number(1), bound };
+  if (claim.says("crank and forearm of '.*' reach it, by at most # m"))
+    return Reading{ -1, {}, claim.number(1), bound };
+  if (claim.says("crank and forearm of '.*' just reach it, to within # m"))
+    return Reading{ 0, {}, claim.number(1), bound };
+  if (claim.says("crank and forearm of '.*' just reach it exactly"))
+    return Reading{ 0, {}, 0.0, bound };
+  return std::nullopt;
+}
+
+/// @param of_limit the bound that it is about
+std::optional<Reading> read(const std::string& text, double of_limit)
 {
   Claim claim(text);
-  for (const std::string unit : { "", " m" })
+  if (const auto crank = readReachOfCrank(claim, of_limit))
+    return crank;
+  for (const std::string unit : { "", " m", " rad" })
   {
-    const std::string bound = unit.empty() ? "#" : "its (?:lower|upper) limit of # m";
+    const std::string bound = unit.empty() ? "#" : "its (?:lower|upper) limit of #" + unit;
     for (const int side : { 1, -1 })
     {
       const std::string relation = side > 0 ? "above " : "below ";
@@ -98,7 +115,7 @@ void expectTrue(const Limit& limit, const Machine& machine, const Oracle& oracle
     EXPECT_LT(oracle.valueOf(limit, point), 0);
     return;
   }
-  const auto reading = read(text);
+  const auto reading = read(text, limit.bound);
   ASSERT_TRUE(reading) << "a sentence of a form that this test does not know";
   const Number exact = oracle.valueOf(limit, point);
   const Number beyond = exact - limit.bound;

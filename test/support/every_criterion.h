@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ inline Machine hinged(const Machine& machine)
   {
     const IntervalVector& axis = slidingStrut(leg).axis;
     const IntervalVector across = cross(axis, IntervalVector{ 0.3, 0.5, 0.7 });
-    slidingStrut(leg).stops = { { "hinge", false, -0.3, across, Interval(-0.2 * machine.scale()) },
-                                { "hinge", true, 0.3, Interval(-1.0) * across, Interval(-0.1 * machine.scale()) } };
+    passiveJoints(leg).stops = { { "hinge", false, -0.3, across, Interval(-0.2 * machine.scale()) },
+                                 { "hinge", true, 0.3, Interval(-1.0) * across, Interval(-0.1 * machine.scale()) } };
   }
   return Machine("hinged", legs, machine.zero());
 }
@@ -67,8 +68,12 @@ inline std::vector<MachineCase> everyCondition(const Machine& machine)
   cases.back().criterion.joint_limits = true;
   cases.push_back({ "joint limits and factors", limited(machine), everyCriterion()[1] });
   cases.back().criterion.joint_limits = true;
-  cases.push_back({ "hinges", hinged(machine), withMotors(machine) });
-  cases.back().criterion.hinge_limits = true;
+  if (std::all_of(machine.legs().begin(), machine.legs().end(),
+                  [](const Leg& leg) { return std::holds_alternative<SlidingStrut>(leg.kind); }))
+  {
+    cases.push_back({ "hinges", hinged(machine), withMotors(machine) });
+    cases.back().criterion.hinge_limits = true;
+  }
   Random random(SEED);
   for (int k = 0; k < 4; ++k)
   {

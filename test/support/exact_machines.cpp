@@ -122,7 +122,7 @@ ExactMachine crookedMachine(const std::string& name, int seed, double scale, con
     const Vector3d strut = length * mode * tilted(axis.normalized(), 0.4, random);
     const Vector3d origin = place + platform - strut;
     legs[k] = { "joint_" + std::to_string(i + 1), Interval::entire(),
-                SlidingStrut{ enclose(origin), encloseUnit(axis), enclose(platform), length, mode } };
+                SlidingStrut{ {}, enclose(origin), encloseUnit(axis), enclose(platform), length, mode } };
     exact_legs[k] = { exact(origin), unit(axis), exact(platform), length, mode };
   }
   return { name, Machine(name, legs, place), exact_legs };

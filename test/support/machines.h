@@ -48,12 +48,83 @@ inline Machine cone()
   return Machine("cone", legs, Eigen::Vector3d(0.0, 0.0, -0.8));
 }
 
-/// One of every kind that the laws have to hold for.
-inline std::vector<Machine> everyKind()
+/// A slider along x, a telescopic strut along y and a crank whose forearm is along z, all at the origin.
+inline Machine mixed()
+{
+  Machine::Legs legs = orthoglide().legs();
+  TelescopicStrut strut;
+  strut.foot = { 0.0, -1.0, 0.0 };
+  legs[1] = { "strut_y", Interval(-0.5, 0.5), strut };
+  Crank crank;
+  crank.pivot = { -0.5, 0.0, -1.0 };
+  crank.along = { 1.0, 0.0, 0.0 };
+  crank.across = { 0.0, 0.0, 1.0 };
+  crank.radius = 0.5;
+  legs[2] = { "crank_z", Interval(-1.2, 1.2), crank };
+  return Machine("mixed", legs, Eigen::Vector3d::Zero());
+}
+
+/// The same with all directions and lengths off, the crank's zero and what it counts for elsewhere; exact doubles but
+/// for the directions.
+inline Machine crookedMix(unsigned seed)
+{
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return Eigen::Vector3d(size * uniform(generator), size * uniform(generator), size * uniform(generator));
+  };
+  const auto unit = [](const Eigen::Vector3d& v) {
+    const IntervalVector direction = enclose(v);
+    const Interval length = norm(direction);
+    return IntervalVector{ direction[0] / length, direction[1] / length, direction[2] / length };
+  };
+  Machine::Legs legs = mixed().legs();
+  legs[0] = crooked(seed).leg(0);
+  auto& strut = std::get<TelescopicStrut>(legs[1].kind);
+  strut.foot = strut.foot + enclose(vector(0.1));
+  strut.platform = enclose(vector(0.1));
+  strut.length = 1.0 + 0.1 * uniform(generator);
+  auto& crank = std::get<Crank>(legs[2].kind);
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.0, -1.0, 0.0) + vector(0.2);
+  const Eigen::Vector3d along = axis.cross(Eigen::Vector3d(0.0, 0.1, -1.0) + vector(0.2));
+  crank.along = unit(along);
+  crank.across = unit(axis.cross(along));
+  crank.pivot = crank.pivot + enclose(vector(0.05));
+  crank.platform = enclose(vector(0.05));
+  crank.radius = 0.5 + 0.05 * uniform(generator);
+  crank.length = 1.0 + 0.05 * uniform(generator);
+  crank.reference = 0.2 * uniform(generator);
+  crank.drive_scale = 0.6;
+  return Machine("crooked_mix_" + std::to_string(seed), legs, Eigen::Vector3d(vector(0.02)));
+}
+
+/// Machines with other legs than sliding struts.
+inline std::vector<Machine> otherLegs()
+{
+  Machine::Legs turned = delta().legs();
+  for (Leg& leg : turned)
+  {
+    leg.limits = Interval(-0.9, 2.3);  // more than a half turn
+    std::get<Crank>(leg.kind).reference = 0.7;
+  }
+  return { delta(), tripod(), mixed(), crookedMix(4), Machine("delta with wide limits", turned, delta().zero()) };
+}
+
+/// One of every kind with sliding struts.
+inline std::vector<Machine> slidingKinds()
 {
   return { orthoglide(), uranesx(),          orthoglide(0.31058),
            crooked(1),   crooked(2, 1000.0), crooked(3, 1.0, Eigen::Vector3d(1000.0, -20.0, 3.0)),
            cone() };
+}
+
+/// One of every kind that the laws have to hold for.
+inline std::vector<Machine> everyKind()
+{
+  std::vector<Machine> machines = slidingKinds();
+  for (const Machine& machine : otherLegs())
+    machines.push_back(machine);
+  return machines;
 }
 
 /// Adds joint limits that cut through the workspace.

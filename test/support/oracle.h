@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "closed_leg.h"
 #include "driven_tool.h"
 #include "pkm_workspace/dexterity/point_evaluation.h"
 #include "pkm_workspace/machine/machine.h"
@@ -21,8 +22,8 @@ namespace test
 class Oracle
 {
 public:
-  using Number = boost::multiprecision::cpp_bin_float_100;
-  using Vector = std::array<Number, 3>;
+  using Number = ClosedLeg::Number;
+  using Vector = ClosedLeg::Vector;
 
   Oracle(const Machine& machine, const Criterion& criterion) : machine_(machine), criterion_(criterion) {}
 
@@ -60,17 +61,8 @@ public:
     return det(strut);
   }
 
-  /// rho of leg i [m]; the point must be reachable.
-  Number joint(int i, const Vector& point) const
-  {
-    Vector strut;
-    Number eta;
-    solveLeg(i, point, strut, eta);
-    Vector offset;
-    for (std::size_t k = 0; k < 3; ++k)
-      offset[k] = point[k] - machine_.center(i)[k].mid();
-    return dot(axisOf(i), offset) - eta;
-  }
+  /// The joint value of leg i [m], of a crank [rad]; the point must be reachable.
+  Number joint(int i, const Vector& point) const { return legAt(machine_.leg(i), point).joint; }
 
   /// What a limit is about, at a point that all struts reach; for its reach anywhere.
   Number valueOf(const Limit& limit, const Vector& point) const
@@ -80,7 +72,7 @@ public:
       return ZoneOracle(criterion_.zones.at(static_cast<std::size_t>(limit.which)), criterion_.tool_radius)
           .clearance(point);
     if (limit.kind == Kind::REACH)
-      return across(limit.leg, point);
+      return legAt(machine_.leg(limit.leg), point).reach;
     if (limit.kind == Kind::JOINT_LOWER || limit.kind == Kind::JOINT_UPPER)
       return joint(limit.leg, point);
     std::array<Vector, 3> strut;
@@ -90,12 +82,14 @@ public:
     if (limit.kind == Kind::ASPECT)
     {
       const int wanted = criterion_.aspect == Criterion::Aspect::OTHER ? -machine_.aspect() : machine_.aspect();
-      return wanted * det(strut) / (length(0) * length(1) * length(2));
+      return wanted * det(strut) / (length(strut[0]) * length(strut[1]) * length(strut[2]));
     }
     if (limit.kind == Kind::BALL_TILT_MAX)
       return limit.leg < 0 ? largestTilt(strut) : tiltOf(limit.leg, strut[static_cast<std::size_t>(limit.leg)]);
+    if (limit.kind == Kind::STRUT_ANGLE_MIN || limit.kind == Kind::STRUT_ANGLE_MAX)
+      return DrivenTool(criterion_, strut, alongWays(eta)).valueOf(limit.kind);
     if (limit.kind >= Kind::TOOL_SPEED_MIN)
-      return DrivenTool(criterion_, strut, eta).valueOf(limit.kind);
+      return DrivenTool(criterion_, strut, perJoint(eta)).valueOf(limit.kind);
     const auto [least, largest] = squaredFactors(strut, eta);
     switch (limit.kind)
     {
@@ -123,49 +117,35 @@ private:
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   }
 
-  /// The middle of the axis enclosure, made a unit vector.
-  Vector axisOf(int i) const
-  {
-    const IntervalVector& axis = slidingStrut(machine_.leg(i)).axis;
-    Vector e = { axis[0].mid(), axis[1].mid(), axis[2].mid() };
-    const Number length = sqrt(dot(e, e));
-    for (Number& entry : e)
-      entry /= length;
-    return e;
-  }
-
-  /// @return false where the strut does not reach or a joint limit is passed
+  /// @param eta b, as transmission factors count it @return false where the leg does not reach or a limit is passed
   bool solveLeg(int i, const Vector& point, Vector& strut, Number& eta) const
   {
     const Leg& leg = machine_.leg(i);
-    const Vector e = axisOf(i);
-    Vector offset;
-    for (std::size_t k = 0; k < 3; ++k)
-      offset[k] = point[k] - machine_.center(i)[k].mid();
-    const Number along = dot(e, offset);
-    const Number length = slidingStrut(leg).length.mid();
-    const Number radicand = length * length - (dot(offset, offset) - along * along);
-    if (radicand < 0)
-      return false;
-    eta = slidingStrut(leg).working_mode * sqrt(radicand);
-    const Number rho = along - eta;
-    for (std::size_t k = 0; k < 3; ++k)
-      strut[k] = offset[k] - rho * e[k];
-    return !criterion_.joint_limits || (rho >= leg.limits.lower() && rho <= leg.limits.upper());
+    const ClosedLeg at = legAt(leg, point);
+    strut = at.row;
+    eta = at.drive;
+    return at.reaches &&
+           (!criterion_.joint_limits || (at.joint >= leg.limits.lower() && at.joint <= leg.limits.upper()));
   }
 
-  Number length(int i) const { return slidingStrut(machine_.leg(i)).length.mid(); }
+  Number length(const Vector& row) const { return sqrt(dot(row, row)); }
 
-  Number across(int i, const Vector& point) const
+  /// The struts' parts along the ways of what joints move.
+  Vector alongWays(const Vector& eta) const
   {
-    Vector offset;
-    for (std::size_t k = 0; k < 3; ++k)
-      offset[k] = point[k] - machine_.center(i)[k].mid();
-    const Vector e = axisOf(i);
-    const Number along = dot(e, offset);
-    for (std::size_t k = 0; k < 3; ++k)
-      offset[k] -= along * e[k];
-    return sqrt(dot(offset, offset));
+    Vector result;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = eta[i] / gearOfDrive(machine_.legs()[i]);
+    return result;
+  }
+
+  /// b of joint velocities as they are, not times the drive scales.
+  Vector perJoint(const Vector& eta) const
+  {
+    Vector result;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = eta[i] * scaleOf(machine_.legs()[i]);
+    return result;
   }
 
   /// Speeds, forces, stiffness, errors and angles.
@@ -173,8 +153,11 @@ private:
   {
     if (!criterion_.boundsMore())
       return true;
-    const DrivenTool tool(criterion_, strut, eta);
+    const DrivenTool tool(criterion_, strut, perJoint(eta));
+    const DrivenTool angled(criterion_, strut, alongWays(eta));
     const auto isKept = [&](Limit::Kind kind, double bound, bool is_lower) {
+      if (kind == Limit::Kind::STRUT_ANGLE_MIN || kind == Limit::Kind::STRUT_ANGLE_MAX)
+        return bound == 0.0 || (is_lower ? angled.valueOf(kind) >= bound : angled.valueOf(kind) <= bound);
       return bound == 0.0 || (is_lower ? tool.valueOf(kind) >= bound : tool.valueOf(kind) <= bound);
     };
     using Kind = Limit::Kind;
@@ -211,7 +194,7 @@ private:
     Vector axis;
     Number eta;
     solveLeg(i, { machine_.zero().x(), machine_.zero().y(), machine_.zero().z() }, axis, eta);
-    for (const IntervalVector& given : slidingStrut(machine_.leg(i)).ball_axes)
+    for (const IntervalVector& given : passiveJoints(machine_.leg(i)).ball_axes)
       axis = { given[0].mid(), given[1].mid(), given[2].mid() };
     const Number cosine = dot(axis, now) / sqrt(dot(axis, axis) * dot(now, now));
     return acos(cosine > 1 ? Number(1) : cosine);
@@ -220,7 +203,7 @@ private:
   bool hingesAreGood(const std::array<Vector, 3>& strut) const
   {
     for (int i = 0; criterion_.hinge_limits && i < 3; ++i)
-      for (const StrutStop& stop : slidingStrut(machine_.leg(i)).stops)
+      for (const StrutStop& stop : passiveJoints(machine_.leg(i)).stops)
       {
         const Vector u = { stop.direction[0].mid(), stop.direction[1].mid(), stop.direction[2].mid() };
         if (dot(u, strut[static_cast<std::size_t>(i)]) < stop.least.mid())

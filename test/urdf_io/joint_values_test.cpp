@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "pkm_workspace/common/whole_file.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "support/expect_throw.h"
 #include "support/machines.h"
@@ -86,8 +87,14 @@ std::string orthoglideUrdf()
 
 TEST(JointValues, closeTheLoopsOfEveryKindOfMachine)
 {
-  for (const Machine& machine : everyKind())
+  for (const Machine& machine : slidingKinds())
     expectClosedAround(writeUrdf(machine));
+}
+
+TEST(JointValues, closeTheLoopsOfEveryFormOfLeg)
+{
+  for (const char* name : { "delta", "tripod", "mixed_legs" })
+    expectClosedAround(readWholeFile(PKM_WORKSPACE_SOURCE_DIR "/urdf/" + std::string(name) + ".urdf", 1000000));
 }
 
 TEST(JointValues, closeTheLoopsOnATurnedMount)
@@ -126,7 +133,7 @@ TEST(JointValues, areZeroAtZero)
 
 TEST(JointValues, moveTheBarsAlongWithTheirStruts)
 {
-  for (const Machine& machine : everyKind())
+  for (const Machine& machine : slidingKinds())
   {
     const std::string xml = writeUrdf(machine);
     const UrdfMachine urdf = readUrdf(xml);

@@ -18,9 +18,11 @@ const char* const PRISMATIC = "<axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"1
 TEST(MachineRefusal, otherThanThreeRails)
 {
   expectRefused(withElements(good(), branch("lift", "prismatic", "base_link", PRISMATIC)),
-                "4 prismatic joints \\('rail_x', 'rail_y', 'rail_z', 'lift'\\), expected the three rails");
-  expectRefused(withJoint(good(), "rail_z", "prismatic", "fixed"), "2 prismatic joints \\('rail_x', 'rail_y'\\)");
-  expectRefused("<robot name=\"x\"><link name=\"base\"/></robot>", "0 prismatic joints \\(none\\)");
+                "4 prismatic joints and cranks \\('rail_x', 'rail_y', 'rail_z', 'lift'\\), expected the three that "
+                "drive the legs");
+  expectRefused(withJoint(good(), "rail_z", "prismatic", "fixed"),
+                "2 prismatic joints and cranks \\('rail_x', 'rail_y'\\)");
+  expectRefused("<robot name=\"x\"><link name=\"base\"/></robot>", "0 prismatic joints and cranks \\(none\\)");
 }
 
 TEST(MachineRefusal, railsThatAreCarriedOrDriven)
@@ -39,9 +41,10 @@ TEST(MachineRefusal, railsThatAreNamedWrongly)
 {
   expectRefused(good(), "rails names 2 joints \\('rail_x', 'rail_y'\\), expected three",
                 { { "rail_x", "rail_y" }, {} });
-  expectRefused(good(),
-                "rails names 'rail_w', which is not a joint; the prismatic joints are: 'rail_x', 'rail_y', 'rail_z'",
-                { { "rail_x", "rail_y", "rail_w" }, {} });
+  expectRefused(
+      good(),
+      "rails names 'rail_w', which is not a joint; the prismatic joints and cranks are: 'rail_x', 'rail_y', 'rail_z'",
+      { { "rail_x", "rail_y", "rail_w" }, {} });
   expectRefused(good(), "rails names joint 'revolute_1', which is continuous",
                 { { "rail_x", "rail_y", "revolute_1" }, {} });
   expectRefused(good(), "rails names joint 'rail_x' twice", { { "rail_x", "rail_y", "rail_x" }, {} });

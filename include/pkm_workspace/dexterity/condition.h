@@ -85,6 +85,14 @@ struct AlternativeForms
   }
 };
 
+/// A number of joint velocities, forces or stiffnesses in terms of the drives' (docs/theory.md): of a joint value that
+/// is a length it is the same.
+template <class Real>
+inline Enclosed<Real> scaled(const Enclosed<Real>& x, const Interval& scale)
+{
+  return scale == Interval(1.0) ? x : x * Enclosed<Real>(scale);
+}
+
 /// The margin of what is not asked for.
 constexpr double NO_MARGIN = 1e300;
 
@@ -106,7 +114,7 @@ constexpr double NO_MARGIN = 1e300;
 //                                       Where the first three are, the last one has the condition's sign, but for a set
 //                                       without volume
 //   visitScalar(place, visitor)  of conditions that bound no factors, the same in scalar() only
-//   static steepest(criterion)  encloses the largest |n_i| / b_i that it allows in any leg, or nothing: bounds follow
+//   static steepest(machine, criterion)  encloses the largest |n_i| / b_i that it allows in any leg, or nothing
 //   static tellLimits(at)  tells its limits at a point, by at.atLeast() and the like; none where it is about a number
 //   that a criterion bounds, which its row in criterion_bounds.h encloses
 //   margin(place)  how far the point is within the condition, without unit, in floating point

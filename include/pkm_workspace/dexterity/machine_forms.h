@@ -52,14 +52,15 @@ public:
       const EnclosedLeg& leg = machine.enclosed(static_cast<int>(i));
       forms_[i] = ofForms<Real>(leg);
       numbers_[i] = plain<Real>(forms_[i]);
+      scales_[i] = driveScale(machine.legs()[i]);
       if (steepest)
-        floors_[i] = Real((pkm_workspace::squaredRow(leg) / sqr(*steepest)).lower());
+        floors_[i] = Real((pkm_workspace::squaredRow(leg, Interval(0.0)) / sqr(*steepest)).lower());
     }
   }
 
   /// The same in another type of number.
   template <class Other>
-  explicit LegModels(const LegModels<Other>& other) : squared_scale_(other.squared_scale_)
+  explicit LegModels(const LegModels<Other>& other) : scales_(other.scales_), squared_scale_(other.squared_scale_)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -72,7 +73,8 @@ public:
   /// The same in a type of number whose forms depend on the legs' parameters.
   /// @param spreads LegSpreads
   template <class Spreads>
-  LegModels(const LegModels<double>& all, const Spreads& spreads) : squared_scale_(all.squared_scale_)
+  LegModels(const LegModels<double>& all, const Spreads& spreads)
+    : scales_(all.scales_), squared_scale_(all.squared_scale_)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -109,9 +111,17 @@ public:
     return numbers;
   }
 
-  /// n_i^2 [m^2]: enclosed, and in floating point.
-  const auto& squaredRow(std::size_t leg) const { return pkm_workspace::squaredRow(forms_[leg]); }
-  const Real& squaredRowNear(std::size_t leg) const { return pkm_workspace::squaredRow(numbers_[leg]); }
+  /// drive b_i^2 + row n_i^2 [m^2] over the box, for two weights: see weighed() of a leg.
+  template <class Drive, class Row>
+  AffineForm<Real> weighed(std::size_t leg, const MachineForms<Real>& forms, const Drive& drive, const Row& row) const
+  {
+    return pkm_workspace::weighed(forms_[leg], forms.legs[leg], drive, row);
+  }
+  /// n_i^2 [m^2] in floating point. @param squared_drive b_i^2 there [m^2]
+  const Real& squaredRowNear(std::size_t leg, const Real& squared_drive) const
+  {
+    return pkm_workspace::squaredRow(numbers_[leg], squared_drive);
+  }
 
   /// Where b_i^2 is below this [m^2] the criterion does not hold: n_i^2 / psi_max^2, rounded down, or 0.
   const Real& floor(std::size_t leg) const { return floors_[leg]; }
@@ -126,13 +136,28 @@ public:
     return jointOf(forms_[leg], box, forms.legs[leg]);
   }
   /// n_i' . t - b_i' q_i' for the tangent t; see turningOf().
-  AffineForm<Real> turning(std::size_t leg, const AffineVector<Real>& tangent, const AffineForm<Real>& speed) const
+  template <class Domain>
+  AffineForm<Real> turning(std::size_t leg, const MachineForms<Real>& forms, const Domain& box,
+                           const AffineVector<Real>& tangent, const AffineForm<Real>& speed) const
   {
-    return turningOf(forms_[leg], tangent, speed);
+    return turningOf(forms_[leg], box, forms.legs[leg], tangent, speed);
   }
-  Real jointNear(std::size_t leg, const MachineNumbers<Real>& numbers, const PlainVector<Real>& p) const
+  /// A bound from above, or from below, of a joint's velocity [m/s], of an angle [rad/s], by one of that times its
+  /// drive scale [m/s].
+  Real rateAbove(std::size_t leg, const Real& bound) const { return rate(leg, bound, 1.0); }
+  Real rateBelow(std::size_t leg, const Real& bound) const { return rate(leg, bound, -1.0); }
+
+  /// How far a joint value is on the right side of a limit [m], over the box and in floating point: see limitForm().
+  template <class Domain>
+  AffineForm<Real> fromLimit(std::size_t leg, const MachineForms<Real>& forms, const Domain& box,
+                             const JointLimit<Real>& limit) const
   {
-    return jointOf(numbers_[leg], p, numbers.legs[leg]);
+    return limitForm(forms_[leg], box, forms.legs[leg], limit);
+  }
+  Real fromLimitNear(std::size_t leg, const MachineNumbers<Real>& numbers, const PlainVector<Real>& p,
+                     const JointLimit<Real>& limit) const
+  {
+    return limitForm(numbers_[leg], p, numbers.legs[leg], limit);
   }
 
 private:
@@ -147,9 +172,19 @@ private:
     state.gram[2] = dot(state.legs[0].row, state.legs[1].row);
   }
 
+  Real rate(std::size_t leg, const Real& bound, double side) const
+  {
+    if (scales_[leg] == Interval(1.0))
+      return bound;
+    const Interval per_scale = Interval(1.0) / scales_[leg];
+    return bound * (Real(side > 0.0 ? per_scale.upper() : per_scale.lower()) *
+                    (Real(1) + Real(4.0 * side) * rounding::roundoff<Real>()));
+  }
+
   std::array<LegOfForms<Real>, 3> forms_;
   std::array<PlainLeg<Real>, 3> numbers_;
   std::array<Real, 3> floors_ = { Real(0), Real(0), Real(0) };
+  std::array<Interval, 3> scales_;  ///< driveScale()
   Real squared_scale_;
 };
 }  // namespace pkm_workspace

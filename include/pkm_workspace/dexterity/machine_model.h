@@ -33,10 +33,11 @@ using Conditions =
 
 /// The least steepest() of these conditions.
 template <class... Each>
-std::optional<Interval> steepestOf(const Criterion& criterion, const std::tuple<Each...>* /*conditions*/)
+std::optional<Interval> steepestOf(const Machine& machine, const Criterion& criterion,
+                                   const std::tuple<Each...>* /*conditions*/)
 {
   std::optional<Interval> least;
-  for (const std::optional<Interval>& each : { Each::steepest(criterion)... })
+  for (const std::optional<Interval>& each : { Each::steepest(machine, criterion)... })
     if (each && (!least || each->upper() < least->upper()))
       least = each;
   return least;
@@ -54,7 +55,7 @@ public:
   /// @throws std::invalid_argument when the criterion is not valid
   MachineModel(const Machine& machine, const Criterion& criterion)
     : criterion_(validated(machine, criterion))
-    , legs_(machine, steepest(criterion))
+    , legs_(machine, steepest(machine, criterion))
     , conditions_(makeConditions(machine, criterion, static_cast<Conditions<Real>*>(nullptr)))
   {
     for (std::size_t axis = 0; onlyJointsChangeAlongRails(machine, criterion) && axis < 3; ++axis)

@@ -18,7 +18,7 @@ SymmetricForms<Real> pencilForms(const LegModels<Real>& legs, const MachineForms
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = minus_mu * forms.legs[i].squared_drive + legs.squaredRow(i);
+    matrix[i] = legs.weighed(i, forms, minus_mu, One());
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
@@ -32,7 +32,7 @@ SymmetricForms<Real> oppositePencilForms(const LegModels<Real>& legs, const Mach
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = mu * forms.legs[i].squared_drive + -legs.squaredRow(i);
+    matrix[i] = legs.weighed(i, forms, mu, MinusOne());
     matrix[3 + i] = -forms.gram[i];
   }
   return matrix;
@@ -46,7 +46,7 @@ eigen::Symmetric<Real> pencilNear(const LegModels<Real>& legs, const MachineNumb
   eigen::Symmetric<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = sign * (legs.squaredRowNear(i) - mu * at.legs[i].squared_drive);
+    matrix[i] = sign * (legs.squaredRowNear(i, at.legs[i].squared_drive) - mu * at.legs[i].squared_drive);
     matrix[3 + i] = sign * at.gram[i];
   }
   return matrix;
@@ -59,7 +59,7 @@ SymmetricForms<Real> gramMatrix(const LegModels<Real>& legs, const MachineForms<
   SymmetricForms<Real> matrix;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = matrix[i] + legs.squaredRow(i);
+    matrix[i] = legs.weighed(i, forms, Zero(), One());
     matrix[3 + i] = forms.gram[i];
   }
   return matrix;
@@ -104,12 +104,12 @@ ExtremeFactors<Real> extremeFactors(const LegModels<Real>& legs, const std::arra
   using std::sqrt;
   std::array<Real, 3> per_drive;
   for (std::size_t i = 0; i < 3; ++i)
-    per_drive[i] = Real(1) / sqrt(max(squared_drives[i], Real(1e-12) * legs.squaredRowNear(i)));
+    per_drive[i] = Real(1) / sqrt(max(squared_drives[i], Real(1e-12) * legs.squaredRowNear(i, squared_drives[i])));
   eigen::Symmetric<Real> matrix;
   eigen::Symmetric<Real> opposite;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    matrix[i] = legs.squaredRowNear(i) * per_drive[i] * per_drive[i];
+    matrix[i] = legs.squaredRowNear(i, squared_drives[i]) * per_drive[i] * per_drive[i];
     matrix[3 + i] = gram[i] * per_drive[(i + 1) % 3] * per_drive[(i + 2) % 3];
     opposite[i] = -matrix[i];
     opposite[3 + i] = -matrix[3 + i];

@@ -11,7 +11,7 @@ namespace pkm_workspace
 {
 /// Encloses the largest |n_i| / b_i that the conditions of the criterion allow in any leg; nothing where none of them
 /// bounds it. Legs tell their outer bounds by it.
-std::optional<Interval> steepest(const Criterion& criterion);
+std::optional<Interval> steepest(const Machine& machine, const Criterion& criterion);
 
 /// The joint limits that the criterion asks for and a point may reach that satisfies the rest of it [m]: an end is
 /// infinite where the reach of the three legs, with the margin that psi_max gives, proves that it does. The set of

@@ -94,6 +94,10 @@ Interval cos(double angle);
 /// { acos(a) : a in x and in [-1, 1] } [rad]; empty where there is no such a. Correctly rounded by MPFR.
 Interval acos(const Interval& x);
 
+/// Encloses the angles of the directions (a, b), a in x and b in y, from -pi to pi [rad]; all where (0, 0) or the angle
+/// pi is among them. Correctly rounded by MPFR.
+Interval angleOf(const Interval& x, const Interval& y);
+
 /// The two doubles that pi lies between.
 Interval pi();
 

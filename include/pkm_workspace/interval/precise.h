@@ -73,6 +73,15 @@ struct ScalarOf<Precise>
 };
 }  // namespace rounding
 
+/// Encloses the angle of the direction (x, y) from -pi to pi [rad]; all where it is none.
+inline Enclosed<Precise> enclosedAngle(const Precise& x, const Precise& y)
+{
+  const Precise::Number angle = boost::multiprecision::atan2(y.number(), x.number());
+  const bool is_direction = boost::multiprecision::isfinite(angle) && (x.number() != 0 || y.number() != 0);
+  const Precise value = is_direction ? Precise(angle) : Precise(0.0);
+  return { value, is_direction ? affine::widened(Precise(0.0), abs(value), 4) : Precise(3.2) };
+}
+
 /// The same form in doubles, its radius larger by what that rounds.
 inline AffineForm<double> inDoubles(const AffineForm<Precise>& form)
 {

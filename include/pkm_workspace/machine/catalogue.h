@@ -22,6 +22,35 @@ Machine orthoglidePrototype();
 /// @throws std::invalid_argument also unless 0 < R - r < L, or when a radius is larger than 1e9 m
 Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, double length = 1.0);
 
+/// What a Delta measures [m]: its cranks turn about axes that are tangents of a circle, and its forearms end on one of
+/// the platform.
+struct DeltaDimensions
+{
+  double base_radius = 0.164;      ///< of the circle that the cranks' axes touch
+  double crank = 0.524;            ///< r: from its axis to the forearm
+  double forearm = 1.244;          ///< L
+  double platform_radius = 0.044;  ///< of the circle of the forearms' lower ends
+};
+
+/// A rotary Delta (R. Clavel), hanging: cranks at 0 and +-120 degrees, level and outward at joint value 0, which turns
+/// them downward; the platform below. The defaults are those of an ABB FlexPicker IRB 360-1/1600 as R. L. Williams II
+/// has them ("The Delta Parallel Robot: Kinematics Solutions", Ohio University, 2016: w_B, L, l, u_P).
+/// @throws std::invalid_argument where a number is not from 1e-9 m to 1e9 m, or the forearms do not reach at zero
+Machine delta(const DeltaDimensions& dimensions = {});
+
+/// What a tripod of struts of variable length measures [m].
+struct TripodDimensions
+{
+  double base_radius = 0.5;      ///< of the circle of the feet, in the plane z = 0
+  double platform_radius = 0.1;  ///< of the circle of the struts' upper ends
+  double length = 0.8;           ///< of the struts at joint value 0
+  double stroke = 0.6;           ///< joint limits: half of it either way
+};
+
+/// A tripod with feet at 0 and +-120 degrees, standing: its platform is kept from turning, and above.
+/// @throws std::invalid_argument where a number is not from 1e-9 m to 1e9 m, or the struts do not reach at zero
+Machine tripod(const TripodDimensions& dimensions = {});
+
 /// R = 7/13 and r = 3/26 for L = 1, the dimensions of the paper's section 4.3.
 Machine uranesx();
 }  // namespace pkm_workspace

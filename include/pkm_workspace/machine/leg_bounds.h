@@ -7,13 +7,15 @@
 
 namespace pkm_workspace
 {
-/// Points p with |E (p - c)| <= r, for a projector E: a cylinder about a line, or for E = I a ball.
+/// Points p with |E (p - c)| <= r, for a projector E: a cylinder about a line, for E = I a ball, for E = 0 all points.
 struct OuterBound
 {
   IntervalMatrix projector;  ///< E
   IntervalVector center;     ///< c [m]
   Interval radius;           ///< r [m]
 
+  /// Whether it bounds anything: E is not 0.
+  bool isBound() const;
   /// Encloses the vectors E (p - c): |q_k| <= r sqrt(E_kk) [m].
   IntervalVector offsets() const;
 };

@@ -15,6 +15,32 @@ struct LegState
   Number drive;          ///< b, an entry of the serial Jacobian B [m]; valid where the leg reaches
 };
 
+/// Weights that take no arithmetic.
+struct Zero
+{
+};
+struct One
+{
+};
+struct MinusOne
+{
+};
+template <class Number>
+inline Number operator*(Zero, const Number& /*x*/)
+{
+  return Number();
+}
+template <class Number>
+inline const Number& operator*(One, const Number& x)
+{
+  return x;
+}
+template <class Number>
+inline Number operator*(MinusOne, const Number& x)
+{
+  return -x;
+}
+
 /// A leg at a point, in floating point.
 struct LegAtPoint
 {

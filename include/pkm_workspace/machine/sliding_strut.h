@@ -5,29 +5,19 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "pkm_workspace/common/problems.h"
 #include "pkm_workspace/interval/interval_vector.h"
 #include "pkm_workspace/machine/leg_bounds.h"
+#include "pkm_workspace/machine/passive_joints.h"
 #include "pkm_workspace/machine/strut_tolerance.h"
 
 namespace pkm_workspace
 {
-/// A stop of a passive hinge: the hinge is within its limit where n . direction >= least, for the strut's vector n.
-struct StrutStop
-{
-  std::string joint;         ///< name of the hinge
-  bool is_upper;             ///< whether the limit is the upper one
-  double limit;              ///< [rad]
-  IntervalVector direction;  ///< without unit
-  Interval least;            ///< [m]
-};
-
 /// A kind of leg (paper, section 3.1): a slider on a rail, and a strut of fixed length (a parallelogram, so that the
 /// platform never turns) from the slider point A to the platform point B. Its joint value moves the slider. Lengths
 /// [m], all in the machine's root frame. The formulas are in sliding_strut_forms.h.
-struct SlidingStrut
+struct SlidingStrut : PassiveJoints
 {
   IntervalVector origin;    ///< a: slider point A at joint value 0 [m]
   IntervalVector axis;      ///< e: unit direction of the rail
@@ -37,10 +27,6 @@ struct SlidingStrut
   /// Rails that are known to share one direction have the same number here, or the opposite one where they point
   /// against each other. 0: no more is known than the axis.
   int direction = 0;
-  std::vector<StrutStop> stops = {};          ///< of its passive hinges
-  std::vector<std::string> open_hinges = {};  ///< why a limit of a passive hinge is no such stop, one sentence each
-  /// Along the strut, from A to B, where its ball joints are not tilted, of any length > 0: empty: as at zero.
-  std::vector<IntervalVector> ball_axes = {};
   /// The numbers above are what was meant; what was built is within these.
   StrutTolerance tolerance = {};
 };
@@ -70,6 +56,10 @@ EnclosedStrut enclosed(const SlidingStrut& strut);
 
 /// Collects what is wrong with the leg by itself.
 void validate(const SlidingStrut& strut, const std::string& place, Problems& problems);
+/// Collects what is wrong with joint limits for it.
+inline void validateLimits(const SlidingStrut& /*strut*/, const Interval& /*limits*/, const std::string& /*place*/,
+                           Problems& /*problems*/)
+{}
 /// Its numbers, digit by digit: legs with the same text are the same. Other kinds begin with their name.
 std::string exactText(const SlidingStrut& strut);
 /// The same leg in the frame where a point p is R p + t.
@@ -87,6 +77,16 @@ inline const IntervalVector* slideOf(const SlidingStrut& strut)
 
 /// For logs: "strut 0.5 m".
 std::string describe(const SlidingStrut& strut);
+/// By what a joint velocity is multiplied before transmission factors compare it with others: 1, of an angle [m].
+inline Interval driveScale(const SlidingStrut& /*strut*/)
+{
+  return 1.0;
+}
+/// Whether its joint value is an angle [rad].
+inline bool hasAngle(const SlidingStrut& /*strut*/)
+{
+  return false;
+}
 
 // What bounds follow from a leg by itself, for all of its working mode. @param steepest encloses the largest |n| / b
 // that is asked for, or nothing
@@ -106,11 +106,11 @@ Interval jointRange(const EnclosedStrut& strut, const std::optional<Interval>& s
 /// Encloses the points with these joint values [m].
 IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints,
                             const std::optional<Interval>& steepest);
-/// Encloses what the leg's reach is measured by at p, and the most that it may be [m]: |q| and L.
-LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p);
-/// Bounds the volume in which the joint value lies in an interval of that width, of those points that the leg reaches
-/// [m^3].
-Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width);
+/// Encloses what the leg's reach is measured by at p, and the most that it may be [m]: |q| and L. Nothing of a leg that
+/// reaches every point.
+std::optional<LegReach> reachAt(const EnclosedStrut& strut, const IntervalVector& p);
+/// Bounds the volume of the points that the leg reaches with these joint values [m^3].
+Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& joints);
 
 // In floating point.
 
@@ -118,6 +118,6 @@ Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& width);
 LegSphere sphereAt(const EnclosedStrut& strut, double joint);
 /// The point that the joint moves: the slider A [m].
 Eigen::Vector3d drivenPoint(const SlidingStrut& strut, double joint);
-/// Whether a row n of the parallel Jacobian belongs to the leg's working mode.
-bool isInMode(const EnclosedStrut& strut, const Eigen::Vector3d& row);
+/// Whether a row n of the parallel Jacobian belongs to the leg's working mode at this joint value.
+bool isInMode(const EnclosedStrut& strut, double joint, const Eigen::Vector3d& row);
 }  // namespace pkm_workspace

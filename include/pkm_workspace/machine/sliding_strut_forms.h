@@ -4,6 +4,7 @@
 #include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/plain_vector.h"
 #include "pkm_workspace/machine/leg_state.h"
+#include "pkm_workspace/machine/limit_forms.h"
 #include "pkm_workspace/machine/sliding_strut.h"
 
 namespace pkm_workspace
@@ -61,9 +62,16 @@ inline void evaluate(const StrutConstants<Constants...>& strut, const Points& p,
   addAlong(state.row, state.drive, strut.axis);
 }
 
-/// n^2 = L^2.
+/// drive b^2 + row n^2, where n^2 = L^2.
+template <class... Constants, class State, class Drive, class Row>
+inline auto weighed(const StrutConstants<Constants...>& strut, const State& state, const Drive& drive, const Row& row)
+{
+  return drive * state.squared_drive + row * strut.squared_length;
+}
+
+/// n^2. @param squared_drive b^2
 template <class Number, class... Constants>
-inline const Number& squaredRow(const StrutConstants<Number, Constants...>& strut)
+inline const Number& squaredRow(const StrutConstants<Number, Constants...>& strut, const Number& /*squared_drive*/)
 {
   return strut.squared_length;
 }
@@ -75,11 +83,19 @@ inline auto jointOf(const StrutConstants<Constants...>& strut, const Points& p, 
   return dotOffset(strut.along, strut.center, p) - state.drive;
 }
 
+/// How far the joint value is on the right side of a limit [m].
+template <class... Constants, class Real, class Points, class State>
+inline auto limitForm(const StrutConstants<Constants...>& strut, const Points& p, const State& state,
+                      const JointLimit<Real>& limit)
+{
+  return fromLimit(jointOf(strut, p, state), limit);
+}
+
 /// n' . t - b' q', where the tool moves along t and the joint by q' for each metre of its way: n' = t - q' e and
 /// b' = e . n', so it is |t - q' e|^2.
-template <class Real>
-inline AffineForm<Real> turningOf(const StrutOfForms<Real>& strut, AffineVector<Real> tangent,
-                                  const AffineForm<Real>& speed)
+template <class Real, class Points, class State>
+inline AffineForm<Real> turningOf(const StrutOfForms<Real>& strut, const Points& /*p*/, const State& /*state*/,
+                                  AffineVector<Real> tangent, const AffineForm<Real>& speed)
 {
   addAlong(tangent, -speed, strut.axis);
   return dot(tangent, tangent);

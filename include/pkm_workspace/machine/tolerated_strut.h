@@ -98,10 +98,11 @@ inline void evaluate(const ToleratedStrut<Real>& strut, const Points& p, const R
   addAlong(state.row, state.drive, strut.axis);
 }
 
-template <class Real>
-inline const AffineForm<Real>& squaredRow(const ToleratedStrut<Real>& strut)
+template <class Real, class State, class Drive, class Row>
+inline AffineForm<Real> weighed(const ToleratedStrut<Real>& strut, const State& state, const Drive& drive,
+                                const Row& row)
 {
-  return strut.squared_length;
+  return drive * state.squared_drive + row * strut.squared_length;
 }
 
 template <class Real, class Points, class State>
@@ -112,9 +113,16 @@ inline AffineForm<Real> jointOf(const ToleratedStrut<Real>& strut, const Points&
   return dot(strut.axis, from_center) - state.drive;
 }
 
-template <class Real>
-inline AffineForm<Real> turningOf(const ToleratedStrut<Real>& strut, AffineVector<Real> tangent,
-                                  const AffineForm<Real>& speed)
+template <class Real, class Points, class State>
+inline AffineForm<Real> limitForm(const ToleratedStrut<Real>& strut, const Points& p, const State& state,
+                                  const JointLimit<Real>& limit)
+{
+  return fromLimit(jointOf(strut, p, state), limit);
+}
+
+template <class Real, class Points, class State>
+inline AffineForm<Real> turningOf(const ToleratedStrut<Real>& strut, const Points& /*p*/, const State& /*state*/,
+                                  AffineVector<Real> tangent, const AffineForm<Real>& speed)
 {
   addAlong(tangent, -speed, strut.axis);
   return dot(tangent, tangent);

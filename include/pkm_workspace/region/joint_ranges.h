@@ -8,13 +8,15 @@
 
 namespace pkm_workspace
 {
-/// What one rail does while the tool goes through a region (paper, section 4.4). All enclosures [m].
+/// What one joint does while the tool goes through a region (paper, section 4.4). All enclosures [m], of an angle
+/// [rad].
 struct JointRange
 {
   Interval lower;   ///< of the least joint value
   Interval upper;   ///< of the largest joint value
   Interval stroke;  ///< of Delta rho = largest - least
-  Interval across;  ///< of Delta f: the range of eta_i, the part of the stroke that serves motion across the rail
+  Interval across;  ///< of Delta f: the range of eta_i, the part of the stroke that serves motion across the rail; 0
+                    ///< where there is no rail
 };
 
 /// Encloses the joint ranges over c + K(h): to a few roundings over polytopes and balls, to those and 1e-12 h over

@@ -15,7 +15,10 @@ class AspectSign
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// det A over the lengths of its rows.
   template <class At>
   static void tellLimits(At& at)
@@ -25,7 +28,10 @@ public:
       return;
     Interval volume = 1.0;
     for (int leg = 0; leg < 3; ++leg)
-      volume *= sqrtAboveZero(squaredRow(at.machine().enclosed(leg)));
+    {
+      const Interval squared_drive = sqr(at.configuration().eta[static_cast<std::size_t>(leg)]);
+      volume *= sqrtAboveZero(squaredRow(at.machine().enclosed(leg), squared_drive));
+    }
     at.atLeast(ConditionKind::ASPECT, -1, Interval(sign) * at.values().det_a / volume, 0.0);
   }
 

@@ -17,7 +17,10 @@ class BallTilt
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// The angle between strut and axis, of the worse end.
   template <class At>
   static void tellLimits(At& at)
@@ -40,24 +43,32 @@ public:
     for (std::size_t leg = 0; criterion.ball_tilt_max > 0.0 && leg < 3; ++leg)
     {
       const Interval cosine = leastCosine(criterion.tiltOf(leg), machine, leg);
-      const Interval length = sqrtAboveZero(squaredRow(machine.enclosed(static_cast<int>(leg))));
+      // of a telescopic strut |n| = b
+      const Interval length = sqrtAboveZero(squaredRow(machine.enclosed(static_cast<int>(leg)), Interval(0.0)));
+      const bool is_fixed = length != Interval(0.0);
       for (const IntervalVector& axis : machine.ballAxes(static_cast<int>(leg)))
-        cones_.push_back({ leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cosine)) });
+        cones_.push_back({ leg, EnclosedVector<Real>(axis), Enclosed<Real>(-(length * norm(axis) * cosine)),
+                           is_fixed ? Enclosed<Real>() : Enclosed<Real>(-(norm(axis) * cosine)), is_fixed });
     }
   }
   template <class Other>
   explicit BallTilt(const BallTilt<Other>& other)
   {
     for (const auto& cone : other.cones_)
-      cones_.push_back({ cone.leg, EnclosedVector<Real>(cone.axis), Enclosed<Real>(cone.minus_least) });
+      cones_.push_back({ cone.leg, EnclosedVector<Real>(cone.axis), Enclosed<Real>(cone.minus_least),
+                         Enclosed<Real>(cone.minus_share), cone.is_fixed });
   }
 
   template <class Place, class Visitor>
   void visit(const Place& place, Visitor& visitor) const
   {
     for (const Cone& cone : cones_)
+    {
+      const auto& leg = place.forms.legs[cone.leg];
+      const AffineForm<Real> along = dot(cone.axis, leg.row);
       visitor.scalar({ ConditionKind::BALL_TILT_MAX, cone.leg },
-                     dot(cone.axis, place.forms.legs[cone.leg].row) + cone.minus_least, 1);
+                     cone.is_fixed ? along + cone.minus_least : along + cone.minus_share * leg.drive, 1);
+    }
   }
 
   Real margin(const NearPlace<Real>& place) const
@@ -65,8 +76,11 @@ public:
     using std::min;
     Real least(NO_MARGIN);
     for (const Cone& cone : cones_)
-      least =
-          min(least, (dot(cone.axis.value, place.at.legs[cone.leg].row) + cone.minus_least.value) * place.per_length);
+    {
+      const auto& leg = place.at.legs[cone.leg];
+      const Real most = cone.is_fixed ? cone.minus_least.value : cone.minus_share.value * leg.drive;
+      least = min(least, (dot(cone.axis.value, leg.row) + most) * place.per_length);
+    }
     return least;
   }
 
@@ -79,12 +93,14 @@ private:
     std::size_t leg;
     EnclosedVector<Real> axis;
     Enclosed<Real> minus_least;  ///< -|n| |a| cos phi
+    Enclosed<Real> minus_share;  ///< -|a| cos phi, where |n| is not the same everywhere
+    bool is_fixed;               ///< |n| is
   };
 
   /// Where axes turn with a rail that is not as it was meant, or do not: what is enough for all, and what one needs.
   static Interval leastCosine(double tilt, const Machine& machine, std::size_t leg)
   {
-    const double turn = slidingStrut(machine.leg(static_cast<int>(leg))).tolerance.direction;
+    const double turn = toleranceOf(machine.leg(static_cast<int>(leg))).direction;
     if (!(turn > 0.0))
       return cos(tilt);
     return { cos((tilt + turn) * (1.0 + 0x1p-48)).lower(),

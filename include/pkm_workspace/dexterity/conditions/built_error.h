@@ -87,7 +87,7 @@ public:
       const AffineForm<Real> across = legs_[i].sine.value > 0.0 ? lengthOf(leg.row, lengths_[i]) : AffineForm<Real>();
       leg.drive = struts_[i].sign * sqrtAbove(leg.squared_drive, floors[i]);
       addAlong(leg.row, leg.drive, struts_[i].axis);
-      forms.gram[i] = AffineForm<Real>() + squaredRow(struts_[i]);
+      forms.gram[i] = AffineForm<Real>() + struts_[i].squared_length;
       forms.reach[i] = reachOf(i, leg, across, [&] { return jointOf(struts_[i], box, leg); });
     }
     for (std::size_t i = 0; i < 3; ++i)

@@ -15,7 +15,10 @@ class ConditionNumber
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   template <class At>
   static void tellLimits(At& /*at*/)
   {}

@@ -15,13 +15,16 @@ class HingeLimits
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   template <class At>
   static void tellLimits(At& at)
   {
     for (int leg = 0; at.criterion().hinge_limits && at.hasValues() && leg < 3; ++leg)
     {
-      const std::vector<StrutStop>& stops = slidingStrut(at.machine().leg(leg)).stops;
+      const std::vector<StrutStop>& stops = passiveJoints(at.machine().leg(leg)).stops;
       for (std::size_t k = 0; k < stops.size(); ++k)
       {
         const Interval value = dot(stops[k].direction, at.configuration().strut[static_cast<std::size_t>(leg)]);
@@ -33,10 +36,10 @@ public:
   HingeLimits(const Machine& machine, const Criterion& criterion)
   {
     for (std::size_t leg = 0; criterion.hinge_limits && leg < 3; ++leg)
-      for (const StrutStop& stop : slidingStrut(machine.leg(static_cast<int>(leg))).stops)
+      for (const StrutStop& stop : passiveJoints(machine.leg(static_cast<int>(leg))).stops)
         stops_.push_back({ { kindOf(stop), leg },
                            EnclosedVector<Real>(stop.direction),
-                           Enclosed<Real>(-leastOf(stop, slidingStrut(machine.leg(static_cast<int>(leg))))) });
+                           Enclosed<Real>(-leastOf(stop, machine.leg(static_cast<int>(leg)))) });
   }
   template <class Other>
   explicit HingeLimits(const HingeLimits<Other>& other)
@@ -77,9 +80,12 @@ private:
   };
 
   /// A stop at an angle is as far out as the strut is long; its axes turn with a rail that is not as it was meant.
-  static Interval leastOf(const StrutStop& stop, const SlidingStrut& strut)
+  static Interval leastOf(const StrutStop& stop, const Leg& leg)
   {
-    const StrutTolerance& by = strut.tolerance;
+    const StrutTolerance& by = toleranceOf(leg);
+    if (by.isZero())
+      return stop.least;
+    const SlidingStrut& strut = slidingStrut(leg);
     const Interval stretch = Interval(by.length) / strut.length;
     const Interval turn = Interval(by.direction) * (strut.length + Interval(by.length)) * norm(stop.direction);
     const double more = (abs(stop.least) * stretch + turn).upper();

@@ -13,7 +13,7 @@ class LargestFactor
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& criterion)
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& criterion)
   {
     return criterion.boundsAbove() ? std::make_optional(criterion.largestFactor()) : std::nullopt;
   }

@@ -21,7 +21,10 @@ class PositionError
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// The longest of the four sums +-b_i eps_i (n_j x n_k) / det A.
   template <class At>
   static void tellLimits(At& at)
@@ -32,7 +35,7 @@ public:
     const Configuration& there = at.configuration();
     IntervalVector reach;
     for (std::size_t leg = 0; leg < 3; ++leg)
-      reach[leg] = Interval(criterion.joint_error_max[leg]) * there.eta[leg];
+      reach[leg] = Interval(criterion.joint_error_max[leg]) * driveScale(at.machine().legs()[leg]) * there.eta[leg];
     at.atMost(
         ConditionKind::POSITION_ERROR_MAX, -1,
         at.machine().hasTolerances() ? errorOfBuilt(at.machine(), criterion, at.place()) : largestError(there, reach),
@@ -44,7 +47,8 @@ public:
     if (is_asked_ && machine.hasTolerances())
       built_.emplace(machine, criterion);
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
-      share_[leg] = quotient<Real>(criterion.joint_error_max[leg], criterion.position_error_max);
+      share_[leg] = scaled(quotient<Real>(criterion.joint_error_max[leg], criterion.position_error_max),
+                           driveScale(machine.legs()[leg]));
   }
   template <class Other>
   explicit PositionError(const PositionError<Other>& other) : is_asked_(other.is_asked_)

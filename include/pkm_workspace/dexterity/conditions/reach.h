@@ -12,15 +12,18 @@ class Reach
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// At any point.
   template <class At>
   static void tellLimits(At& at)
   {
     for (int leg = 0; leg < 3; ++leg)
     {
-      const LegReach reach = reachAt(at.machine().enclosed(leg), at.point());
-      at.tell({ ConditionKind::REACH, leg, reach.value, reach.most.mid(), reach.most - reach.value });
+      if (const std::optional<LegReach> reach = reachAt(at.machine().enclosed(leg), at.point()))
+        at.tell({ ConditionKind::REACH, leg, reach->value, reach->most.mid(), reach->most - reach->value });
     }
   }
 

@@ -16,7 +16,10 @@ class Stiffness
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// The least eigenvalue of the pencil of G and the compliances.
   template <class At>
   static void tellLimits(At& at)
@@ -41,12 +44,13 @@ public:
                asked);
   }
 
-  Stiffness(const Machine& /*machine*/, const Criterion& criterion) : is_asked_(criterion.stiffness_min > 0.0)
+  Stiffness(const Machine& machine, const Criterion& criterion) : is_asked_(criterion.stiffness_min > 0.0)
   {
     const double least = criterion.stiffness_min;
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
     {
-      minus_drive_[leg] = -quotient<Real>(least, criterion.joint_stiffness[leg]);
+      minus_drive_[leg] =
+          -scaled(quotient<Real>(least, criterion.joint_stiffness[leg]), sqr(driveScale(machine.legs()[leg])));
       const double strut = criterion.strut_stiffness[leg];
       minus_strut_[leg] = strut > 0.0 ? -quotient<Real>(least, strut) : Enclosed<Real>();
     }
@@ -79,7 +83,7 @@ public:
     eigen::Symmetric<Real> matrix = pencilNear(place.legs, place.at, Real(0), Real(1));
     for (std::size_t leg = 0; leg < 3; ++leg)
       matrix[leg] = matrix[leg] + minus_drive_[leg].value * place.at.legs[leg].squared_drive +
-                    minus_strut_[leg].value * place.legs.squaredRowNear(leg);
+                    minus_strut_[leg].value * place.legs.squaredRowNear(leg, place.at.legs[leg].squared_drive);
     return eigen::leastEigenpair(matrix).value * place.per_square;
   }
 
@@ -90,7 +94,7 @@ private:
   /// -S (b^2 / k + n^2 / kappa) [m^2].
   AffineForm<Real> lessOf(std::size_t leg, const LegModels<Real>& legs, const MachineForms<Real>& forms) const
   {
-    return minus_drive_[leg] * forms.legs[leg].squared_drive + minus_strut_[leg] * legs.squaredRow(leg);
+    return legs.weighed(leg, forms, minus_drive_[leg], minus_strut_[leg]);
   }
 
   bool is_asked_;

@@ -16,7 +16,10 @@ class ToolForce
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   /// T_i |det A| / (|b_i| |n_j x n_k|) for each leg.
   template <class At>
   static void tellLimits(At& at)
@@ -26,17 +29,19 @@ public:
     {
       const Configuration& there = at.configuration();
       const Interval needed = abs(there.eta[leg]) * norm(cross(there.strut[(leg + 1) % 3], there.strut[(leg + 2) % 3]));
-      const Interval most = Interval(criterion.joint_effort_max[leg]) * abs(there.det_a);
+      const Interval most =
+          Interval(criterion.joint_effort_max[leg]) / driveScale(at.machine().legs()[leg]) * abs(there.det_a);
       at.atLeast(ConditionKind::TOOL_FORCE_MIN, static_cast<int>(leg),
                  needed.certainlyPositive() ? most / needed : Interval(0.0, INF), criterion.tool_force_min);
     }
   }
 
-  ToolForce(const Machine& /*machine*/, const Criterion& criterion) : is_asked_(criterion.tool_force_min > 0.0)
+  ToolForce(const Machine& machine, const Criterion& criterion) : is_asked_(criterion.tool_force_min > 0.0)
   {
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
     {
-      const Enclosed<Real> ratio = quotient<Real>(criterion.tool_force_min, criterion.joint_effort_max[leg]);
+      const Enclosed<Real> ratio = scaled(quotient<Real>(criterion.tool_force_min, criterion.joint_effort_max[leg]),
+                                          driveScale(machine.legs()[leg]));
       minus_squared_[leg] = -(ratio * ratio);
     }
   }
@@ -56,7 +61,7 @@ public:
     for (std::size_t leg = 0; leg < 3; ++leg)
     {
       SymmetricForms<Real> matrix = gram;
-      matrix[leg] = minus_squared_[leg] * place.forms.legs[leg].squared_drive + place.legs.squaredRow(leg);
+      matrix[leg] = place.legs.weighed(leg, place.forms, minus_squared_[leg], One());
       visitor.matrix({ ConditionKind::TOOL_FORCE_MIN, leg }, matrix);
     }
   }

@@ -16,12 +16,13 @@ class ToolSpeed
 {
 public:
   static constexpr bool BOUNDS_FACTORS = true;
-  static std::optional<Interval> steepest(const Criterion& criterion)
+  static std::optional<Interval> steepest(const Machine& machine, const Criterion& criterion)
   {
     if (!(criterion.tool_speed_min > 0.0))
       return std::nullopt;
-    const JointValues& speeds = criterion.joint_speed_max;
-    const double fastest = *std::max_element(speeds.begin(), speeds.end());
+    double fastest = 0.0;
+    for (std::size_t leg = 0; leg < 3; ++leg)
+      fastest = std::max(fastest, (Interval(criterion.joint_speed_max[leg]) * driveScale(machine.legs()[leg])).upper());
     // |n| is not below |b|: of less than 1 the set is empty, and more bounds it no less rightly
     return Interval(std::max(fastest, 1e-3 * criterion.tool_speed_min)) / Interval(criterion.tool_speed_min);
   }
@@ -32,16 +33,17 @@ public:
     const Criterion& criterion = at.criterion();
     for (std::size_t leg = 0; criterion.tool_speed_min > 0.0 && at.hasValues() && leg < 3; ++leg)
       at.atLeast(ConditionKind::TOOL_SPEED_MIN, static_cast<int>(leg),
-                 Interval(criterion.joint_speed_max[leg]) * abs(at.configuration().eta[leg]) /
-                     norm(at.configuration().strut[leg]),
+                 Interval(criterion.joint_speed_max[leg]) * driveScale(at.machine().legs()[leg]) *
+                     abs(at.configuration().eta[leg]) / norm(at.configuration().strut[leg]),
                  criterion.tool_speed_min);
   }
 
-  ToolSpeed(const Machine& /*machine*/, const Criterion& criterion) : is_asked_(criterion.tool_speed_min > 0.0)
+  ToolSpeed(const Machine& machine, const Criterion& criterion) : is_asked_(criterion.tool_speed_min > 0.0)
   {
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
     {
-      const Enclosed<Real> ratio = quotient<Real>(criterion.tool_speed_min, criterion.joint_speed_max[leg]);
+      const Enclosed<Real> ratio = scaled(quotient<Real>(criterion.tool_speed_min, criterion.joint_speed_max[leg]),
+                                          Interval(1.0) / driveScale(machine.legs()[leg]));
       minus_squared_[leg] = -(ratio * ratio);
     }
   }
@@ -57,7 +59,7 @@ public:
   {
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
       visitor.scalar({ ConditionKind::TOOL_SPEED_MIN, leg },
-                     place.forms.legs[leg].squared_drive + minus_squared_[leg] * place.legs.squaredRow(leg), 2);
+                     place.legs.weighed(leg, place.forms, One(), minus_squared_[leg]), 2);
   }
 
   Real margin(const NearPlace<Real>& place) const
@@ -66,7 +68,8 @@ public:
     Real least(NO_MARGIN);
     for (std::size_t leg = 0; is_asked_ && leg < 3; ++leg)
       least =
-          min(least, (place.at.legs[leg].squared_drive + minus_squared_[leg].value * place.legs.squaredRowNear(leg)) *
+          min(least, (place.at.legs[leg].squared_drive +
+                      minus_squared_[leg].value * place.legs.squaredRowNear(leg, place.at.legs[leg].squared_drive)) *
                          place.per_square);
     return least;
   }

@@ -16,7 +16,10 @@ class Zones
 {
 public:
   static constexpr bool BOUNDS_FACTORS = false;
-  static std::optional<Interval> steepest(const Criterion& /*criterion*/) { return std::nullopt; }
+  static std::optional<Interval> steepest(const Machine& /*machine*/, const Criterion& /*criterion*/)
+  {
+    return std::nullopt;
+  }
   template <class At>
   static void tellLimits(At& at)
   {
