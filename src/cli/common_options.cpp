@@ -169,7 +169,7 @@ void declareCriterion(Options& options, Criterion& criterion)
     options.number(optionOf(bound.name), criterion.*bound.value, quantityOf(bound), bound.help);
   declareJointData(options, criterion, [](const JointDatum&) { return true; });
   requireEffect(options, criterion);
-  options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's joint limits of the rails hold too");
+  options.onOff("joint-limits", criterion.joint_limits, "whether the URDF's limits of the driven joints hold too");
   options.onOff("hinge-limits", criterion.hinge_limits, "whether the URDF's limits of passive joints hold too");
   declareZones(options, criterion);
   Words of_dextrous = { "set" }, all = { "keep-in", "keep-out", "zones", "tool-radius" };

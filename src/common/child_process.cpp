@@ -83,8 +83,7 @@ ChildProcess::~ChildProcess()
   close(output_);
   if (id_ < 0)
     return;
-  kill(id_, SIGKILL);
-  wait();
+  wait([] { return true; });
 }
 
 std::size_t ChildProcess::read(char* data, std::size_t size, const std::function<bool()>& is_over)
@@ -104,11 +103,21 @@ std::size_t ChildProcess::read(char* data, std::size_t size, const std::function
   return static_cast<std::size_t>(count);
 }
 
-int ChildProcess::wait()
+int ChildProcess::wait(const std::function<bool()>& is_over)
 {
   int status = 0;
-  while (waitpid(id_, &status, 0) < 0 && errno == EINTR)
-    continue;
+  for (bool is_killed = false;;)
+  {
+    const pid_t ended = waitpid(id_, &status, is_killed ? 0 : WNOHANG);
+    if (ended == id_ || (ended < 0 && errno != EINTR))
+      break;
+    if (is_killed)
+      continue;
+    if (is_over())
+      is_killed = kill(id_, SIGKILL) == 0;
+    else
+      poll(nullptr, 0, LOOK_EVERY);
+  }
   id_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : BY_SIGNAL + WTERMSIG(status);
 }

@@ -29,6 +29,22 @@ std::string rangeOf(const JointDatum& datum)
                                     : "positive and finite (1e-100 to 1e100)";
 }
 
+namespace
+{
+/// "1 m/s", "(1, 2, 1) m/s", or where some joints turn and some do not "(1 m/s, 2 rad/s, 1 m/s)".
+std::string withUnits(const JointDatum& datum, const Criterion& criterion)
+{
+  const JointValues& values = criterion.*datum.values;
+  const auto unitOf = [&](std::size_t leg) {
+    return std::string(" ") + (criterion.has_angle[leg] ? datum.angle_unit : datum.unit);
+  };
+  if (unitOf(0) == unitOf(1) && unitOf(1) == unitOf(2))
+    return exact(values) + unitOf(0);
+  return "(" + exact(values[0]) + unitOf(0) + ", " + exact(values[1]) + unitOf(1) + ", " + exact(values[2]) +
+         unitOf(2) + ")";
+}
+}  // namespace
+
 std::string jointDataInWords(const Criterion& criterion, double Criterion::*bound)
 {
   std::string text;
@@ -36,14 +52,17 @@ std::string jointDataInWords(const Criterion& criterion, double Criterion::*boun
     if (datum.bound == bound && datum.isAskedBy(criterion))
     {
       const std::string words = datum.brief;
-      const std::size_t place = words.find("{}");
-      text += words.substr(0, place) + exact(criterion.*datum.values) + words.substr(place + 2);
+      const std::string numbers = std::string("{} ") + datum.unit;
+      const std::size_t place = words.find(numbers);
+      text += words.substr(0, place) + withUnits(datum, criterion) + words.substr(place + numbers.size());
     }
   return text;
 }
 
 Criterion withJointData(const Machine& machine, Criterion criterion)
 {
+  for (std::size_t leg = 0; leg < 3; ++leg)
+    criterion.has_angle[leg] = hasAngle(machine.legs()[leg]);
   for (const JointDatum& datum : JOINT_DATA)
     for (int leg = 0; datum.own != nullptr && criterion.*datum.bound > 0.0 && leg < 3; ++leg)
     {
@@ -86,8 +105,9 @@ void requireProvable(const Machine& machine, const Criterion& criterion, Problem
       {
         const std::string joint = "'" + machine.leg(static_cast<int>(leg)).joint + "'";
         const std::string source = datum.own == nullptr ? "" : ", which its URDF does not tell";
-        complain(problems, boundOf(datum).name, " needs ", datum.subject, " [", datum.unit, "] of joint ", joint,
-                 source, ": give ", datum.name, ", one number or one for each joint");
+        complain(problems, boundOf(datum).name, " needs ", datum.subject, " [",
+                 hasAngle(machine.legs()[leg]) ? datum.angle_unit : datum.unit, "] of joint ", joint, source, ": give ",
+                 datum.name, ", one number or one for each joint");
       }
 }
 

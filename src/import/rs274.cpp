@@ -185,10 +185,11 @@ std::size_t interpretByRs274(const Rs274Job& job, const LineTaker& take)
         take(line, number);
         has_ended = has_ended || line.find(END_OF_JOB) != std::string::npos;
       });
+  const int code = program->wait(job.is_over);
   if (job.is_over())
     throw std::invalid_argument(job.name + ": rs274 was not at the end when " + job.ended_by() +
                                 " ended it, and nothing is said of a part of a job");
-  if (program->wait() != 0)
+  if (code != 0)
     throw std::invalid_argument(reasonIn(readWholeFile(errors, LARGEST_LINES), job.name));
   if (!has_ended)
     throw std::invalid_argument(job.name + ": rs274 did not come to the end of the job; end it with M2");

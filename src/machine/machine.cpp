@@ -24,7 +24,10 @@ void validateLeg(const Leg& leg, const std::string& place, Problems& problems)
   for (const auto& [most, what] : drive)
     if (!(most > 0.0))
       complain(problems, place, ": the largest ", what, " of its motor = ", most, ", expected more than 0 (",
-               what == drive[0].second ? "m/s" : "N", "), or infinity where none is known");
+               what == drive[0].second ? std::string(unitOf(leg)) + "/s"
+               : hasAngle(leg)         ? "N m"
+                                       : "N",
+               "), or infinity where none is known");
 }
 
 void throwRefusal(const std::string& machine, const Problems& problems)

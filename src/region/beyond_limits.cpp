@@ -37,9 +37,10 @@ std::string atLeast(const Interval& by)
 
 std::string phrase(const Leg& leg, const BeyondLimit& beyond)
 {
+  const std::string unit = std::string(" ") + unitOf(leg);
   const double limit = beyond.is_upper ? leg.limits.upper() : leg.limits.lower();
   return "'" + leg.joint + "' would leave its " + (beyond.is_upper ? "upper" : "lower") + " limit, " + exact(limit) +
-         " m, by " + (beyond.by.lower() > LONGEST ? "any length" : "at least " + atLeast(beyond.by) + " m");
+         unit + ", by " + (beyond.by.lower() > LONGEST ? "any length" : "at least " + atLeast(beyond.by) + unit);
 }
 }  // namespace
 
@@ -136,12 +137,15 @@ std::string remarkOnLimits(const Machine& machine, const Criterion& criterion,
 {
   if (criterion.joint_limits || !machine.hasJointLimits() || !reaches)
     return "";
+  const auto isSliding = [](const Leg& leg) { return std::holds_alternative<SlidingStrut>(leg.kind); };
+  const bool slide = std::all_of(machine.legs().begin(), machine.legs().end(), isSliding);
+  const std::string joints = slide ? "rails" : "joints";
   std::string text;
   for (const BeyondLimit& beyond : beyondLimits(machine, reaches))
     text += (text.empty() ? "" : "; ") + phrase(machine.leg(beyond.leg), beyond);
   if (text.empty())
-    text = staysWithinLimits(machine, *reaches) ? "all rails stay within their limits"
-                                                : "whether all rails stay within their limits is not proved";
+    text = staysWithinLimits(machine, *reaches) ? "all " + joints + " stay within their limits"
+                                                : "whether all " + joints + " stay within their limits is not proved";
   return "Joint limits are off: " + text + ".";
 }
 

@@ -91,13 +91,13 @@ std::string toWithin(const Relation& relation)
   return relation.is_equal ? " exactly" : relation.distance.empty() ? "" : ", to within " + relation.distance;
 }
 
-/// Of a crank: what its forearm ends on is nowhere that far, or that near.
+/// Of a crank: what its reach is measured by is no distance from the point.
 std::string reachOfCrank(const Leg& leg, const Relation& relation)
 {
   const std::string both = "crank and forearm of '" + leg.joint + "' ";
   if (relation.is_violated)
-    return both + "do not reach it" + byAtMost(relation);
-  return relation.is_kept ? both + "reach it" + byAtMost(relation) : both + "just reach it" + toWithin(relation);
+    return both + "do not reach it";
+  return both + (relation.is_kept ? "reach it" : "are stretched or folded, and just reach it or just do not");
 }
 
 std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& relation)

@@ -53,6 +53,10 @@ Comparison comparisonOf(const Machine& machine, const RegionQuery& query, double
     throw std::invalid_argument("machines are compared in one aspect: ask for their own or for the other one");
   if (query.turns())
     throw std::invalid_argument(NOT_TURNED);
+  for (const Leg& leg : machine.legs())
+    if (hasAngle(leg))
+      throw std::invalid_argument("machines are compared by the strokes of their joints [m]; joint '" + leg.joint +
+                                  "' of '" + machine.name() + "' turns: ask for the largest region of each by itself");
   study.query.budget = query.budget.inTurns(PARTS);
   study.query.progress = [&](const RegionProgress& state) {
     tell(machine.name() + ", largest region: " +

@@ -219,15 +219,21 @@ Triple deepestTriple(const Candidates& candidates, double tolerance, Problems& p
     }
   return deepest;
 }
-/// Each leg needs its own freedom.
-void checkIndependence(const std::array<ClosedLeg, 3>& legs, Problems& problems)
+/// Each leg needs its own freedom: none of its passive joints follows another's, or what drives a leg.
+void checkIndependence(const std::array<Rail, 3>& rails, const std::array<ClosedLeg, 3>& legs, Problems& problems)
 {
   std::map<std::string, std::string> joint_of;
+  const auto drives = [&rails](const std::string& joint) {
+    return std::any_of(rails.begin(), rails.end(), [&](const Rail& rail) { return rail.joint->name == joint; });
+  };
   for (const ClosedLeg& leg : legs)
     for (const Hinge& hinge : leg.tcp.at_slider)
     {
       const auto other = joint_of.emplace(hinge.master, hinge.joint);
-      if (!other.second)
+      if (drives(hinge.master))
+        complain(problems, "joint '", hinge.joint, "' follows '", hinge.master,
+                 "', which drives a leg; expected passive joints that turn each strut by itself");
+      else if (!other.second)
         complain(problems, "joints '", other.first->second, "' and '", hinge.joint, "' both follow '", hinge.master,
                  "', which couples their struts; expected passive joints that turn each strut by itself");
     }
@@ -257,7 +263,7 @@ Closure closeLegs(const Model& model, const std::array<Rail, 3>& rails, const Ur
     closure.legs[i].geometry = measureLeg(closure.legs[i].tcp, problems);
     closure.legs[i].tool_point = rails[i].slider.toOuter(closure.legs[i].tcp.frame.position);
   }
-  checkIndependence(closure.legs, problems);
+  checkIndependence(rails, closure.legs, problems);
   throwRefusal(problems);
   closure.gap = triple.distance();
   closure.allowed = urdf_tolerance::GAP * length;

@@ -55,7 +55,7 @@ N40 G0 Z0
 N41 X0 Y0""".split("\n")
 
 STAND_IN = """#!{python}
-import os, pathlib, sys, time
+import os, pathlib, signal, sys
 folder = pathlib.Path({folder!r})
 (folder / "words").write_text("\\n".join(sys.argv[1:]))
 (folder / "id").write_text(str(os.getpid()))
@@ -64,8 +64,12 @@ job = pathlib.Path(sys.argv[-1]).read_text()
 (folder / "tools").write_text(pathlib.Path(sys.argv[sys.argv.index("-t") + 1]).read_text())
 sys.stdout.write({printed!r})
 sys.stdout.flush()
-sys.stderr.write("executing\\n" + {errors!r})
-time.sleep({seconds})
+sys.stderr.write("executing\\n" + {errors!r}.replace("JOB", sys.argv[-1]))
+sys.stderr.flush()
+if {closes}:
+    os.close(1)
+if {hangs}:
+    signal.pause()
 sys.exit({code})
 """
 
@@ -76,11 +80,11 @@ class WithRs274(GcodeTest):
         self.path = os.environ["PATH"]
         self.addCleanup(os.environ.__setitem__, "PATH", self.path)
 
-    def stand_in(self, printed, errors="", code=0, seconds=0):
+    def stand_in(self, printed, errors="", code=0, hangs=False, closes=False):
         program = self.folder / "bin" / "rs274"
         program.parent.mkdir(exist_ok=True)
         program.write_text(STAND_IN.format(python=sys.executable, folder=str(self.folder), printed=printed,
-                                           errors=errors, code=code, seconds=seconds))
+                                           errors=errors, code=code, hangs=hangs, closes=closes))
         program.chmod(program.stat().st_mode | stat.S_IXUSR)
         os.environ["PATH"] = f"{program.parent}:{self.path}"
 
@@ -158,7 +162,7 @@ class WithRs274(GcodeTest):
     def test_its_errors_are_passed_on(self):
         self.stand_in(PRINTED[:2000], "Unknown word starting with e\nN7 G0 X1 (MSG, )hello\n", 1)
         self.assertIn("job.ngc:7: Unknown word starting with e", self.refusal())
-        self.stand_in("", "EOF in file:/tmp/x/job.ngc seeking o-word: o<5> from line: 17\nM2\n", 1)
+        self.stand_in("", "EOF in file:JOB seeking o-word: o<5> from line: 17\nM2\n", 1)
         self.assertIn("job.ngc: EOF seeking o-word: o<5> ", self.refusal() + " ")
         self.stand_in("", "Requested tool 5 not found in the tool table\nN3 T5 M6\n", 1)
         self.assertIn("job.ngc:3: Requested tool 5 not found in the tool table; give the length", self.refusal())
@@ -177,9 +181,9 @@ class WithRs274(GcodeTest):
         self.assertIn("whether a line behind / counts", self.refusal("G0 X1", "/G0 X2"))
 
     def test_it_is_killed_when_the_time_is_up(self):
-        self.stand_in(PRINTED, seconds=1000)
-        for command, rest in (("path", ()), ("place", ())):
-            process = run(command, "--urdf", ORTHOGLIDE, "--gcode", JOB, *OPTIONS, "--time-limit", 0.2, *rest)
+        for command, closes in (("path", False), ("place", False), ("path", True)):
+            self.stand_in(PRINTED, hangs=True, closes=closes)
+            process = run(command, "--urdf", ORTHOGLIDE, "--gcode", JOB, *OPTIONS, "--time-limit", 0.2)
             self.assertEqual(process.returncode, 2, process.stdout)
             self.assertIn("rs274 was not at the end when the time limit of 0.2 s", " ".join(process.stderr.split()))
             self.assertRaises(ProcessLookupError, os.kill, int(self.told("id")), 0)

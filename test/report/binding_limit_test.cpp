@@ -66,14 +66,12 @@ std::optional<Reading> readReach(Claim claim)
 /// What a crank's reach is measured by is not told.
 std::optional<Reading> readReachOfCrank(Claim claim, double bound)
 {
-  if (claim.says("crank and forearm of '.*' do not reach it, by at most # m"))
-    return Reading{ 1, {}, claim.number(1), bound };
-  if (claim.says("crank and forearm of '.*' reach it, by at most # m"))
-    return Reading{ -1, {}, claim.number(1), bound };
-  if (claim.says("crank and forearm of '.*' just reach it, to within # m"))
-    return Reading{ 0, {}, claim.number(1), bound };
-  if (claim.says("crank and forearm of '.*' just reach it exactly"))
-    return Reading{ 0, {}, 0.0, bound };
+  if (claim.says("crank and forearm of '.*' do not reach it"))
+    return Reading{ 1, {}, {}, bound };
+  if (claim.says("crank and forearm of '.*' are stretched or folded, and just reach it or just do not"))
+    return Reading{ 0, {}, {}, bound };
+  if (claim.says("crank and forearm of '.*' reach it"))
+    return Reading{ -1, {}, {}, bound };
   return std::nullopt;
 }
 

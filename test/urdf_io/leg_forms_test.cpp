@@ -101,6 +101,13 @@ TEST(LegForms, whatIsNeitherIsRefusedWithTheJoint)
                    "joint 'strut_joint_1' has to lengthen its strut: .* and to point to the platform");
 }
 
+TEST(LegForms, hingesThatFollowADriveAreRefused)
+{
+  const std::string free = urdfOf("delta");
+  const std::string driven = withJoint(free, "swing_2", "<axis", "<mimic joint=\"crank_1\"/><axis");
+  expectLegRefused(driven, "joint 'swing_2' follows 'crank_1', which drives a leg");
+}
+
 TEST(LegForms, limitsOfPassiveJointsAreRefusedByNameWhenAsked)
 {
   const std::string limited = withJoint(withJoint(urdfOf("delta"), "swing_2", "continuous", "revolute"), "swing_2",

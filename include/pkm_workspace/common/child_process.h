@@ -26,8 +26,9 @@ public:
 
   /// As a ByteSource of its standard output. @param is_over ends the wait: then there is nothing more to read
   std::size_t read(char* data, std::size_t size, const std::function<bool()>& is_over);
-  /// Waits until it has ended. @return its exit code; 128 more than the number of a signal that ended it
-  int wait();
+  /// Waits until it has ended. @param is_over kills it
+  /// @return its exit code; 128 more than the number of a signal that ended it
+  int wait(const std::function<bool()>& is_over);
 
 private:
   pid_t id_ = -1;

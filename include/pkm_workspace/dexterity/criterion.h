@@ -74,7 +74,10 @@ struct Criterion
   JointValues joint_stiffness{};   ///< of the drives [N/m], for stiffness_min
   JointValues strut_stiffness{};   ///< along the struts [N/m], for stiffness_min; 0 = rigid
   JointValues joint_error_max{};   ///< [m], for position_error_max
-  JointValues strut_tilt_max{};    ///< of each strut's ball joints [rad], where it is less than ball_tilt_max
+  /// Which joints have angles for values, so that their numbers are in [rad/s], [N m], [N m/rad] and [rad]: for words
+  /// only, as withJointData() sets it.
+  std::array<bool, 3> has_angle{};
+  JointValues strut_tilt_max{};  ///< of each strut's ball joints [rad], where it is less than ball_tilt_max
 
   std::vector<Zone> zones;   ///< that the tool keeps within or out of
   double tool_radius = 0.0;  ///< by which all of them are moved, away from what the tool has to keep to [m]

@@ -20,9 +20,10 @@ struct JointDatum
   double Leg::*own;                ///< what a machine's legs tell of themselves; nullptr where that is nothing
   double most;                     ///< LARGEST_BOUND, or the most that makes sense
   const char* unit;
-  const char* subject;  ///< "the largest speed"
-  const char* brief;    ///< its part of describe(), {} for the numbers
-  const char* help;     ///< of its option
+  const char* angle_unit;  ///< where the joint's value is an angle
+  const char* subject;     ///< "the largest speed"
+  const char* brief;       ///< its part of describe(), {} for the numbers
+  const char* help;        ///< of its option
 
   /// Whether it is itself a bound, of each leg: the best value of its bound is found without it.
   bool isBound() const { return values == &Criterion::strut_tilt_max; }
@@ -35,19 +36,21 @@ struct JointDatum
 // clang-format off
 inline constexpr std::array<JointDatum, 6> JOINT_DATA = { {
   { "joint_speed_max", &Criterion::joint_speed_max, &Criterion::tool_speed_min, true, &Leg::speed, LARGEST_BOUND,
-    "m/s", "the largest speed", " by joints up to {} m/s",
+    "m/s", "rad/s", "the largest speed", " by joints up to {} m/s",
     "largest speed of a joint; without it, the URDF's velocity" },
   { "joint_effort_max", &Criterion::joint_effort_max, &Criterion::tool_force_min, true, &Leg::effort, LARGEST_BOUND,
-    "N", "the largest force", " by joints up to {} N", "largest force of a joint; without it, the URDF's effort" },
+    "N", "N m", "the largest force", " by joints up to {} N",
+    "largest force of a joint; without it, the URDF's effort" },
   { "joint_stiffness", &Criterion::joint_stiffness, &Criterion::stiffness_min, true, nullptr, LARGEST_BOUND, "N/m",
-    "the stiffness of its drive", " by drives of {} N/m", "stiffness of a joint's drive along its rail" },
+    "N m/rad", "the stiffness of its drive", " by drives of {} N/m", "stiffness of a joint's drive along its rail" },
   { "strut_stiffness", &Criterion::strut_stiffness, &Criterion::stiffness_min, false, nullptr, LARGEST_BOUND, "N/m",
-    "the stiffness of its strut", " and struts of {} N/m",
+    "N/m", "the stiffness of its strut", " and struts of {} N/m",
     "stiffness of a strut along itself; without it, struts are rigid" },
   { "joint_error_max", &Criterion::joint_error_max, &Criterion::position_error_max, true, nullptr, LARGEST_BOUND, "m",
-    "the largest error", " by joints off by up to {} m", "largest error of a joint's position (encoder, backlash)" },
+    "rad", "the largest error", " by joints off by up to {} m",
+    "largest error of a joint's position (encoder, backlash)" },
   { "strut_tilt_max", &Criterion::strut_tilt_max, &Criterion::ball_tilt_max, false, nullptr, QUARTER_TURN, "rad",
-    "the largest tilt of its strut's ball joints", " and those of each strut by at most {} rad",
+    "rad", "the largest tilt of its strut's ball joints", " and those of each strut by at most {} rad",
     "largest tilt of the ball joints of a strut, where it is less than that of all" },
 } };
 // clang-format on
