@@ -85,7 +85,8 @@ void validateLimits(const Crank& crank, const Interval& limits, const std::strin
              "] rad must have both ends, or none");
   else if (!limits.isSubsetOf(Interval(crank.reference) + Interval(-pi().lower(), pi().lower())))
     complain(problems, place, ": the joint limits of a crank [", limits.lower(), ", ", limits.upper(),
-             "] rad must be within pi of its reference ", crank.reference, " rad");
+             "] rad must be within pi of its reference ", crank.reference,
+             " rad; a crank that may turn all around has none");
   else if ((Interval(limits.upper()) - Interval(limits.lower())).contains(pi().lower()) &&
            (Interval(limits.upper()) - Interval(limits.lower())).contains(pi().upper()))
     complain(problems, place, ": the joint limits of a crank [", limits.lower(), ", ", limits.upper(),
@@ -115,6 +116,11 @@ Crank between(const Crank& first, const Crank& last, const Interval& t)
 {
   Crank crank = first;
   static_cast<PassiveJoints&>(crank) = between(static_cast<const PassiveJoints&>(first), last);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    crank.along[k] = hull(first.along[k], last.along[k]);
+    crank.across[k] = hull(first.across[k], last.across[k]);
+  }
   crank.pivot = between(first.pivot, last.pivot, t);
   crank.radius = between(first.radius, last.radius, t);
   crank.platform = between(first.platform, last.platform, t);
@@ -126,7 +132,7 @@ std::string differenceOfModes(const Crank& first, const Crank& last)
 {
   if (first.working_mode != last.working_mode)
     return "have opposite working modes";
-  if (first.along != last.along || first.across != last.across)
+  if (!intersects(first.along, last.along) || !intersects(first.across, last.across))
     return "have cranks that turn about different axes, or from different zeros";
   if (first.reference != last.reference || first.drive_scale != last.drive_scale)
     return "have different references or drive scales";
@@ -166,11 +172,11 @@ IntervalVector pointsWithin(const EnclosedCrank& crank, const Interval& /*joints
   return crank.center + outerBound(crank, steepest).offsets();
 }
 
-std::optional<LegReach> reachAt(const EnclosedCrank& crank, const IntervalVector& p)
+LegReach reachAt(const EnclosedCrank& crank, const IntervalVector& p)
 {
   LegState<Interval, IntervalVector> state;
   const CrankOffsets<Interval> x = evaluateAcross(crank, p, state);
-  return LegReach{ abs(x.k), sqrtAboveZero(x.m) };
+  return { abs(x.k), sqrtAboveZero(x.m) };
 }
 
 /// The half of a sphere that is ahead of its center's way sweeps pi L^2 times that way.

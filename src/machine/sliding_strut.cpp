@@ -190,11 +190,11 @@ IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints, 
   return strut.center + outerBound(strut, steepest).offsets() + (joints + eta) * strut.axis;
 }
 
-std::optional<LegReach> reachAt(const EnclosedStrut& strut, const IntervalVector& p)
+LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p)
 {
   LegState<Interval, IntervalVector> state;
   evaluateAcross(strut, p, state);
-  return LegReach{ norm(state.row), strut.length };
+  return { norm(state.row), strut.length };
 }
 
 /// For each offset across the rail, of which there are pi L^2, joint value and way along it differ by a constant.

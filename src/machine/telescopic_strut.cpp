@@ -87,6 +87,11 @@ IntervalVector pointsWithin(const EnclosedTelescope& strut, const Interval& join
   return strut.center + IntervalVector{ either, either, either };
 }
 
+LegReach reachAt(const EnclosedTelescope& strut, const IntervalVector& p)
+{
+  return { Interval(0.0), norm(p - strut.center) };
+}
+
 /// A ball, less one within it.
 Interval volumeOfJoints(const EnclosedTelescope& strut, const Interval& joints)
 {

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 /// By how much the crank is turned at a time until it is past the region [rad], and how often an end is halved.
 constexpr double STEP = 0.02;
 constexpr int HALVINGS = 60;
+constexpr double NEXT = 1e-6;  ///< to where the crank was turned [rad]
 
 /// One crank over one region. As the crank turns towards s (its way along the forearm), the distance from its tip to a
 /// point p falls through L at the angle th(p) of p, and rises through L at that of the other working mode. So for an
@@ -87,13 +88,20 @@ private:
     return past;
   }
 
-  /// From the angle at a point of the region to t, which is beyond.
+  /// From the angle at a point of the region to t, which is beyond. Where the region is on both sides of the angle pi,
+  /// angles go on over it: the point's is the one next to t. Where it has none there, the middle's is one that is
+  /// taken.
   Interval between(double t, const IntervalVector& point) const
   {
-    const Interval attained = angleAt(point);
-    const Interval all = Interval(-pi().upper(), pi().upper());
-    const Interval bound = std::isfinite(t) ? Interval(t) : Interval(t > 0.0 ? all.upper() : all.lower());
-    return crank_.reference + hull(attained, bound);
+    // a convex region that the leg reaches is on one side of the crank's axis, as seen from there within half a turn,
+    // and the crank is within half a turn of that
+    if (!std::isfinite(t))
+      return crank_.reference + hull(start_, start_ + Interval(t > 0.0 ? 2.0 : -2.0) * pi());
+    const Interval angle = angleAt(point);
+    const double turns = std::round((t - angle.mid()) / (2.0 * pi().mid()));
+    const Interval attained = angle + Interval(2.0 * turns) * pi();
+    const bool is_next = (attained - Interval(t)).magnitude() < NEXT;
+    return crank_.reference + hull(is_next ? attained : start_, t);
   }
 
   EnclosedCrank crank_;

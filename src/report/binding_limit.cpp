@@ -104,6 +104,8 @@ std::string reachPhrase(const Leg& leg, const Limit& limit, const Relation& rela
 {
   if (hasAngle(leg))
     return reachOfCrank(leg, relation);
+  if (std::holds_alternative<TelescopicStrut>(leg.kind))
+    return "the strut of '" + leg.joint + "' is " + nearly(limit.bound) + " m long there";
   const std::string strut = "the strut of '" + leg.joint + "' is " + nearly(limit.bound) + " m long";
   if (!relation.value.empty())
     return strut + " and " + (relation.is_violated ? "would have to reach " : "reaches ") + relation.value +

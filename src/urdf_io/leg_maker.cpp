@@ -26,13 +26,19 @@ void addStops(const Model& model, const Rail& rail, const ClosedLeg& closed, Sli
 }
 
 /// Limits of passive joints that no stop is made of.
-void addOpenHinges(const Model& model, const ClosedLeg& closed, const char* what, PassiveJoints& joints)
+void addOpenHinges(const Model& model, const Rail& rail, const ClosedLeg& closed, const char* what,
+                   PassiveJoints& joints)
 {
+  const auto add = [&](const urdf::Joint& hinge) {
+    if (hinge.type == urdf::Joint::REVOLUTE)
+      joints.open_hinges.push_back("joint '" + hinge.name + "' is a passive joint of " + what +
+                                   ", whose limits are not known as planes; those of struts on sliders are");
+  };
+  if (rail.form == LegForm::CRANK)
+    add(*elbowOf(*rail.joint, model).back());
   for (const auto* const hinges : { &closed.tcp.at_slider, &closed.tcp.wrist })
     for (const Hinge& hinge : *hinges)
-      if (model.joint(hinge.joint).type == urdf::Joint::REVOLUTE)
-        joints.open_hinges.push_back("joint '" + hinge.joint + "' is a passive joint of " + what +
-                                     ", whose limits are not known as planes; those of struts on sliders are");
+      add(model.joint(hinge.joint));
 }
 
 IntervalVector platformOf(const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
@@ -58,7 +64,7 @@ TelescopicStrut telescopicStrutOf(const Model& model, const Rail& rail, const Cl
                                   const IntervalVector& tool, Problems& problems)
 {
   TelescopicStrut strut;
-  addOpenHinges(model, closed, "a strut of variable length", strut);
+  addOpenHinges(model, rail, closed, "a strut of variable length", strut);
   strut.foot = rail.slider.toOuter(closed.geometry.slider_point);
   strut.platform = platformOf(rail, closed, tool);
   const IntervalVector& along = closed.tcp.extension->enclosure;
@@ -78,7 +84,7 @@ TelescopicStrut telescopicStrutOf(const Model& model, const Rail& rail, const Cl
 Crank crankOf(const Model& model, const Rail& rail, const ClosedLeg& closed, const IntervalVector& tool)
 {
   Crank crank;
-  addOpenHinges(model, closed, "a forearm", crank);
+  addOpenHinges(model, rail, closed, "a forearm", crank);
   const IntervalVector from_axis = rail.slider.position - rail.origin;
   const IntervalVector middle = rail.origin + dot(rail.axis, from_axis) * rail.axis;
   const IntervalVector arm = rail.slider.position - middle;

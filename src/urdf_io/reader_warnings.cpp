@@ -52,7 +52,7 @@ void warnOfRail(const urdf::Joint& joint, Notices& notices)
   if (!joint.limits)
     return;
   const char* const unit = joint.type == urdf::Joint::PRISMATIC ? "m" : "rad";
-  if (joint.limits->lower == joint.limits->upper)
+  if (joint.type != urdf::Joint::CONTINUOUS && joint.limits->lower == joint.limits->upper)
   {
     const std::string remedy =
         "; many exporters write 0 0 where no limits were set. Nothing can move within these joint limits: write the "
@@ -126,6 +126,8 @@ std::vector<std::string> warningsAbout(const Model& model, const std::array<Rail
   for (std::size_t i = 0; i < 3; ++i)
   {
     warnOfRail(*rails[i].joint, notices);
+    if (rails[i].form == LegForm::CRANK)
+      warnOfHinge(*elbowOf(*rails[i].joint, model).back(), notices);
     for (const auto* const hinges : { &legs[i].tcp.at_slider, &legs[i].tcp.wrist })
       for (const Hinge& hinge : *hinges)
         warnOfHinge(model.joint(hinge.joint), notices);

@@ -69,6 +69,13 @@ class Legs(CommandTest):
         refused = run("largest", *DELTA, "--position-error-max", 1e-4)
         self.assertIn("needs the largest error [rad] of joint 'crank_1'", " ".join(refused.stderr.split()))
 
+    def test_a_point_that_every_strut_reaches(self):
+        """Nothing else is asked for of this one."""
+        answer = self.answer("evaluate", *TRIPOD, "--set", "reachable", "--joint-limits", "off", "--aspect", "both",
+                             "--point", 0.05, 0.03, 0.74)
+        self.assertTrue(answer["satisfies"])
+        self.assertRegex(answer["message"], r"the strut of 'strut_joint_\d' is 0\.\d+ m long there")
+
     def test_what_is_not_known_of_them_is_refused(self):
         for words, reason in (
                 (("compare", *TRIPOD, *DELTA), r"strokes of their joints \[m\]; joint 'crank_1' of 'delta' turns"),

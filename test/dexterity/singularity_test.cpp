@@ -124,7 +124,7 @@ TEST(Singularity, serialInTheJointRangesOfTheUranesx)
   {
     ASSERT_EQ(found.serial[leg].status, Status::PROVED);
     const IntervalVector point = enclose(found.serial[leg].box->center());
-    EXPECT_NEAR(reachAt(machine.enclosed(static_cast<int>(leg)), point)->value.mid(), 1.0, 1e-5);
+    EXPECT_NEAR(reachAt(machine.enclosed(static_cast<int>(leg)), point).value.mid(), 1.0, 1e-5);
   }
   expectBounds(machine, test::spaceOf(machine), found,
                [&](const Configuration& at) { return withinLimits(machine, at); });

@@ -200,6 +200,30 @@ TEST(JointRanges, squaresNearTheBorderOfReach)
   }
 }
 
+// Angles of a crank go on over the one that is half a turn from its reference.
+TEST(JointRanges, goOnOverTheEndOfATurn)
+{
+  const auto rangesAbout = [](double reference) {
+    Machine::Legs legs = delta().legs();
+    for (Leg& leg : legs)
+      std::get<Crank>(leg.kind).reference = reference;
+    const Machine machine("delta", legs, delta().zero());
+    return jointRanges(machine, *makeCube(), machine.zero(), 0.3);
+  };
+  const auto expected = rangesAbout(0.0);
+  for (const double reference : { 3.0, -3.0, 3.2, -3.1 })
+  {
+    const auto found = rangesAbout(reference);
+    for (std::size_t leg = 0; leg < 3; ++leg)
+    {
+      const double turn = 2.0 * M_PI * std::round((found[leg].upper.mid() - expected[leg].upper.mid()) / (2.0 * M_PI));
+      EXPECT_NEAR(found[leg].upper.mid() - turn, expected[leg].upper.mid(), 1e-12) << reference;
+      EXPECT_NEAR(found[leg].lower.mid() - turn, expected[leg].lower.mid(), 1e-12) << reference;
+      EXPECT_LE(found[leg].stroke.width(), 1e-11) << reference;
+    }
+  }
+}
+
 TEST(JointRanges, holdAndMeetWhatASearchFinds)
 {
   for (const Machine& machine : test::everyKind())

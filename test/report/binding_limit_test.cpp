@@ -66,6 +66,8 @@ std::optional<Reading> readReach(Claim claim)
 /// What a crank's reach is measured by is not told.
 std::optional<Reading> readReachOfCrank(Claim claim, double bound)
 {
+  if (claim.says("the strut of '.*' is # m long there"))  // and may be as long as that
+    return Reading{ -1, {}, {}, claim.number(1) };
   if (claim.says("crank and forearm of '.*' do not reach it"))
     return Reading{ 1, {}, {}, bound };
   if (claim.says("crank and forearm of '.*' are stretched or folded, and just reach it or just do not"))

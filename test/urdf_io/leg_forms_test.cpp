@@ -101,6 +101,26 @@ TEST(LegForms, whatIsNeitherIsRefusedWithTheJoint)
                    "joint 'strut_joint_1' has to lengthen its strut: .* and to point to the platform");
 }
 
+TEST(LegForms, limitsOfElbowsAreNotPassedOver)
+{
+  const std::string limit = "<limit lower=\"-0.1\" upper=\"0.1\" velocity=\"1\" effort=\"1\"/><axis";
+  const std::string free = withJoint(urdfOf("delta"), "elbow_1", "continuous", "revolute");
+  const UrdfMachine read = readUrdf(withJoint(free, "elbow_1", "<axis", limit));
+  EXPECT_NE(passiveJoints(read.machine.leg(0)).open_hinges.at(0).find("joint 'elbow_1' is a passive joint"),
+            std::string::npos);
+  EXPECT_NE(read.warnings.at(0).find("elbow_1"), std::string::npos);
+}
+
+TEST(LegForms, aCrankMayTurnAllAround)
+{
+  std::string text = urdfOf("delta");
+  for (const char* joint : { "crank_1", "crank_2", "crank_3" })
+    text = withJoint(text, joint, "revolute", "continuous");
+  const UrdfMachine read = readUrdf(text);
+  EXPECT_FALSE(read.machine.hasJointLimits());
+  EXPECT_TRUE(read.warnings.empty()) << read.warnings.at(0);
+}
+
 TEST(LegForms, hingesThatFollowADriveAreRefused)
 {
   const std::string free = urdfOf("delta");

@@ -94,7 +94,7 @@ Interval jointRange(const EnclosedCrank& crank, const std::optional<Interval>& s
 IntervalVector pointsWithin(const EnclosedCrank& crank, const Interval& joints,
                             const std::optional<Interval>& steepest);
 /// |k| and the distance of p - c from the crank's axis (docs/theory.md).
-std::optional<LegReach> reachAt(const EnclosedCrank& crank, const IntervalVector& p);
+LegReach reachAt(const EnclosedCrank& crank, const IntervalVector& p);
 Interval volumeOfJoints(const EnclosedCrank& crank, const Interval& joints);
 
 LegSphere sphereAt(const EnclosedCrank& crank, double joint);

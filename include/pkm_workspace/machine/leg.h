@@ -59,7 +59,7 @@ inline IntervalVector pointsWithin(const EnclosedLeg& leg, const Interval& joint
 {
   return visitLeg([&](const auto& kind) { return pointsWithin(kind, joints, steepest); }, leg);
 }
-inline std::optional<LegReach> reachAt(const EnclosedLeg& leg, const IntervalVector& p)
+inline LegReach reachAt(const EnclosedLeg& leg, const IntervalVector& p)
 {
   return visitLeg([&](const auto& kind) { return reachAt(kind, p); }, leg);
 }

@@ -106,9 +106,8 @@ Interval jointRange(const EnclosedStrut& strut, const std::optional<Interval>& s
 /// Encloses the points with these joint values [m].
 IntervalVector pointsWithin(const EnclosedStrut& strut, const Interval& joints,
                             const std::optional<Interval>& steepest);
-/// Encloses what the leg's reach is measured by at p, and the most that it may be [m]: |q| and L. Nothing of a leg that
-/// reaches every point.
-std::optional<LegReach> reachAt(const EnclosedStrut& strut, const IntervalVector& p);
+/// Encloses what the leg's reach is measured by at p, and the most that it may be [m]: |q| and L.
+LegReach reachAt(const EnclosedStrut& strut, const IntervalVector& p);
 /// Bounds the volume of the points that the leg reaches with these joint values [m^3].
 Interval volumeOfJoints(const EnclosedStrut& strut, const Interval& joints);
 

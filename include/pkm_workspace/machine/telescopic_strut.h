@@ -71,11 +71,8 @@ Interval jointRange(const EnclosedTelescope& strut, const std::optional<Interval
                     const std::function<Interval(const IntervalVector& u)>& along);
 IntervalVector pointsWithin(const EnclosedTelescope& strut, const Interval& joints,
                             const std::optional<Interval>& steepest);
-/// It reaches every point: nothing.
-inline std::optional<LegReach> reachAt(const EnclosedTelescope& /*strut*/, const IntervalVector& /*p*/)
-{
-  return std::nullopt;
-}
+/// It reaches every point: 0 and its length there.
+LegReach reachAt(const EnclosedTelescope& strut, const IntervalVector& p);
 Interval volumeOfJoints(const EnclosedTelescope& strut, const Interval& joints);
 
 LegSphere sphereAt(const EnclosedTelescope& strut, double joint);

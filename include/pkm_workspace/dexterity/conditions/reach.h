@@ -22,8 +22,8 @@ public:
   {
     for (int leg = 0; leg < 3; ++leg)
     {
-      if (const std::optional<LegReach> reach = reachAt(at.machine().enclosed(leg), at.point()))
-        at.tell({ ConditionKind::REACH, leg, reach->value, reach->most.mid(), reach->most - reach->value });
+      const LegReach reach = reachAt(at.machine().enclosed(leg), at.point());
+      at.tell({ ConditionKind::REACH, leg, reach.value, reach.most.mid(), reach.most - reach.value });
     }
   }
 
