@@ -53,8 +53,9 @@ const NamedCommand COMMANDS[] = {
 constexpr const char* LOST_OUTPUT = "standard output cannot be written";
 
 constexpr const char* INTRODUCTION =
-    "Proved answers about machines with three legs and a platform that never turns (Orthoglide, UraneSX, linear and "
-    "rotary deltas, tripods): where, and how large, is the region in which the machine is certain to behave like a "
+    "Proved answers about machines with three legs and a platform that never turns (Orthoglide, UraneSX, "
+    "linear and rotary deltas, tripods): where, and how large, is the region in which the machine is certain to behave "
+    "like a "
     "good machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors lie "
     "within bounds there. No ROS master is needed.";
 

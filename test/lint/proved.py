@@ -42,7 +42,7 @@ COVERED = {
                                                                             NODE: ("no region", )},
     "no region as large as the accuracy exists where the center may lie, proved": {COMMAND: ("status", ),
                                                                                    NODE: ("no region", )},
-    "whether all rails stay within their limits is not proved": {COMMAND: ("nothing", ), NODE: ("remark", )},
+    " stay within their limits is not proved": {COMMAND: ("nothing", ), NODE: ("remark", )},
     "Proved: the global conditioning index is from ": {COMMAND: ("mean", ), NODE: ("mean", )},
     "Nothing is proved of the global conditioning index: ": {COMMAND: ("no mean", ), NODE: ("no mean", )},
     "Proved for every point: ": {COMMAND: ("guarantee", ), NODE: ("guarantee", )},
@@ -59,7 +59,7 @@ COVERED = {
     "box inside: proved for every point": {NODE: ("box inside", )},
     "no box of these proportions is proved at this center": HELP,
     "nothing can be proved on this computer: ": HELP,
-    "Proved answers about machines with three rails, three struts and a platform that never turns (Orthoglide, ": HELP,
+    "Proved answers about machines with three legs and a platform that never turns (Orthoglide, UraneSX, ": HELP,
     "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all ": HELP,
 }
 COMMAND_ONLY = "src/cli/"
