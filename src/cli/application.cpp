@@ -55,9 +55,8 @@ constexpr const char* LOST_OUTPUT = "standard output cannot be written";
 constexpr const char* INTRODUCTION =
     "Proved answers about machines with three legs and a platform that never turns (Orthoglide, UraneSX, "
     "linear and rotary deltas, tripods): where, and how large, is the region in which the machine is certain to behave "
-    "like a "
-    "good machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors lie "
-    "within bounds there. No ROS master is needed.";
+    "like a good machine tool? A point is dextrous when the machine reaches it and its velocity transmission factors "
+    "lie within bounds there. No ROS master is needed.";
 
 constexpr const char* CONVENTIONS =
     "Lengths are in metres, times in seconds, points in the frame of the URDF's root link. The answer goes to standard "
