@@ -37,6 +37,17 @@ std::string meshText(const Mesh& mesh, bool down)
   return std::to_string(mesh.triangles.size()) + " triangles around " +
          (down ? significantBelow(volume.lower(), 6) : significantAbove(volume.upper(), 6)) + " m^3";
 }
+
+/// Why there is no file.
+/// @param what of what
+/// @param ended the limit that ended it
+std::string notProved(const std::string& what, const std::string& ended)
+{
+  return "the " + what + " was not proved within the limits: " + ended +
+         " ended it; the sets of both aspects, surfaces and maps take turns: give more time (--time-limit) or a "
+         "coarser "
+         "--resolution";
+}
 }  // namespace
 
 void MeshOptions::declare(Options& options, const std::string& other)
@@ -95,10 +106,7 @@ void MeshOptions::computeMeshes(const Machine& machine, const PavingQuery& query
   };
   meshes_ = setMeshes(machine, wanted);
   if (!meshes_->complete)
-    why_no_mesh_ =
-        "the surface was not proved within the limits: " + query.budget.endedBy(meshes_->seconds, 0) +
-        " ended it; the sets of both aspects, surfaces and maps take turns: give more time (--time-limit) or a coarser "
-        "--resolution";
+    why_no_mesh_ = notProved("surface", query.budget.endedBy(meshes_->seconds, 0));
   else if (meshes_->outer.triangles.empty())
     why_no_mesh_ = "no point of the box belongs to the set: there is no surface";
   else if (!inner_.empty() && meshes_->inner.triangles.empty())
@@ -114,10 +122,7 @@ void MeshOptions::computeMap(const Machine& machine, PavingQuery query, bool oft
   };
   map_ = octreeMap(machine, query);
   if (!map_->complete)
-    why_no_map_ =
-        "the map was not proved within the limits: " + query.budget.endedBy(map_->seconds, 0) +
-        " ended it; the sets of both aspects, surfaces and maps take turns: give more time (--time-limit) or a "
-        "coarser --resolution";
+    why_no_map_ = notProved("map", query.budget.endedBy(map_->seconds, 0));
 }
 
 void MeshOptions::addTo(Json& json) const

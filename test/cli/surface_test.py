@@ -123,7 +123,7 @@ class Surface(CommandTest):
         for words, reason in ((("--resolution", 0.006, "--time-limit", 0.3, "--octomap", "set.bt"), "give more time"),
                               (("--box", 0.8, 0.9, 0.8, 0.9, 0.8, 0.9), "no point of the box belongs to the set"),
                               (("--box", *small, "--resolution", 1), "finer --resolution"),
-                              (("--resolution", 0.01, "--time-limit", 0.3), "give more time or a coarser")):
+                              (("--resolution", 0.01, "--time-limit", 0.3), "or a coarser --resolution")):
             files = ("--mesh", "set.stl", "--save", "set.pkm")
             process = subprocess.run([PKM, "pave", "--urdf", ORTHOGLIDE, *map(str, words), *files],
                                      capture_output=True, text=True, cwd=self.folder)
