@@ -15,12 +15,15 @@ namespace cli
 /// What may be given of a machine of the catalogue; what is not given follows from the rest.
 struct Dimensions
 {
-  double length = 1.0;                    ///< L [m]
-  std::optional<double> rail_radius;      ///< R [m]
-  std::optional<double> platform_radius;  ///< r [m]
-  std::optional<double> lambda;           ///< R / L = 7/13 + lambda
-  std::array<double, 3> speeds{};         ///< of the sliders [m/s]; 0: none is known
-  std::array<double, 3> efforts{};        ///< on the sliders [N]; 0: none is known
+  std::optional<double> length;                 ///< L [m]
+  std::optional<double> rail_radius;            ///< R [m]
+  std::optional<double> base_radius;            ///< of cranks and feet [m]
+  std::optional<double> crank;                  ///< r [m]
+  std::optional<double> platform_radius;        ///< r [m]
+  std::optional<double> lambda;                 ///< R / L = 7/13 + lambda
+  std::optional<std::array<double, 2>> travel;  ///< joint limits [m, degrees]
+  std::array<double, 3> speeds{};               ///< of the joints [m/s, rad/s]; 0: none is known
+  std::array<double, 3> efforts{};              ///< on the joints [N, N m]; 0: none is known
 };
 
 /// A machine of the catalogue.
@@ -30,6 +33,9 @@ struct NamedMachine
   Words dimensions;  ///< the options that it knows
   Machine (*make)(const Dimensions& given);
 };
+
+/// Sets the one of this name, as a machine file has it, if there is any.
+void setDimension(const std::string& name, const std::vector<double>& numbers, Dimensions& dimensions);
 
 Words machineNames();
 /// @pre it is one of these

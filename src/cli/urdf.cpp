@@ -34,10 +34,13 @@ std::string optionName(const DraftKey& key)
 Quantity quantityOf(const DraftKey& key)
 {
   const std::string name = key.name;
-  if (name == "length" || name == "rail_radius" || name == "platform_radius")
+  if (name == "length" || name == "rail_radius" || name == "base_radius" || name == "crank" ||
+      name == "platform_radius")
     return LENGTH_POSITIVE;
   if (isDrive(key))
-    return { key.kind == DraftKey::Kind::SPEED ? "m/s" : "N", 0.0, false };
+    return { key.kind == DraftKey::Kind::SPEED ? "m/s, rad/s" : "N, N m", 0.0, false };
+  if (key.kind == DraftKey::Kind::JOINT)
+    return Quantity{ "m, degrees" };
   return key.kind == DraftKey::Kind::LENGTH ? LENGTH : Quantity{ key.kind == DraftKey::Kind::ANGLE ? "degrees" : "" };
 }
 
@@ -46,18 +49,26 @@ class Urdf : public Command
 public:
   std::string description() const override
   {
-    return "Writes the URDF of a machine: from the numbers that you measured on it (--linear-delta, or a machine file: "
-           "--template writes one to fill in, --from reads it), or from the catalogue (--orthoglide, --uranesx, which "
-           "is "
-           "a linear delta, --machine). The zero configuration is solved. The URDF can be read by the other commands "
+    return "Writes the URDF of a machine: from the numbers that you measured on it (--linear-delta, --kind, or a "
+           "machine "
+           "file: --template writes one to fill in, --from reads it), or from the catalogue (--orthoglide, --uranesx, "
+           "which is a linear delta, --machine). Legs are struts of fixed length on sliders, struts of variable "
+           "length, "
+           "or cranks with forearms, mixed freely. The zero configuration is solved. The URDF can be read by the other "
+           "commands "
            "and by the node, and is shown by rviz. Angles are degrees here, lengths metres.";
   }
 
   Words examples() const override
   {
-    return { "pkm urdf --linear-delta --rail-radius 0.13 --platform-radius 0.03 --length 0.269 --travel 0 0.35",
-             "pkm urdf --template --output machine.yaml", "pkm urdf --from machine.yaml --output machine.urdf",
-             "pkm urdf --orthoglide --length 0.31058 --output orthoglide.urdf", "pkm urdf --uranesx --lambda 0.05" };
+    return {
+      "pkm urdf --linear-delta --rail-radius 0.13 --platform-radius 0.03 --length 0.269 --travel 0 0.35",
+      "pkm urdf --kind crank --base-radius 0.164 --crank 0.524 --length 1.244 --platform-radius 0.044 --travel -35 85",
+      "pkm urdf --template --output machine.yaml",
+      "pkm urdf --from machine.yaml --output machine.urdf",
+      "pkm urdf --orthoglide --length 0.31058 --output orthoglide.urdf",
+      "pkm urdf --uranesx --lambda 0.05"
+    };
   }
 
   void declare(Options& options) override
@@ -86,7 +97,7 @@ public:
 
   Answer answer() override
   {
-    const std::string text = is_template_ ? machineFileTemplate() : urdf_;
+    const std::string text = is_template_ ? machineFileTemplate(kind_) : urdf_;
     Json json = is_template_ ? Json() : contextOf(readUrdf(urdf_).machine);
     if (output_.empty())
     {
@@ -106,7 +117,7 @@ private:
     options.flag("linear-delta", is_delta_,
                  "a machine by its numbers, from --rail-radius, --length and --travel on; these alone mean it, too");
     options.text("from", file_, "FILE", "a machine file (YAML)");
-    options.flag("template", is_template_, "writes a machine file to fill in, with comments");
+    options.flag("template", is_template_, "writes a machine file to fill in, with comments; for legs of a --kind");
     options.flag("orthoglide", is_orthoglide_, "the Orthoglide of the paper, --length");
     options.flag("uranesx", is_uranesx_,
                  "the UraneSX of the paper, a linear delta: --length, --rail-radius (without it, (7/13 + lambda) L), "
@@ -119,19 +130,32 @@ private:
     const std::string name = optionName(key);
     const Quantity quantity = quantityOf(key);
     const bool is_name = key.kind == DraftKey::Kind::NAME;
-    const std::string help = key.help + (is_name ? std::string() : "; " + quantity.describe());
-    options.legs(name, key.values, help, [this, &key, name, quantity, is_name](const Words& words) {
-      if (!is_name)
+    const bool is_number = !is_name && key.kind != DraftKey::Kind::WORD;
+    const std::string help = key.help + (is_number ? "; " + quantity.describe() : std::string());
+    options.legs(name, key.values, help, [this, &key, name, quantity, is_name, is_number](const Words& words) {
+      if (is_number)
         readNumbers(words, quantity);
       for (std::size_t leg = 0; leg < 3; ++leg)
       {
         const std::size_t first = words.size() == key.size ? 0 : leg * key.size;
         const auto begin = words.begin() + static_cast<std::ptrdiff_t>(first);
         if (!is_name || words.size() == 3)
-          draft_.setLeg(leg, key, { begin, begin + static_cast<std::ptrdiff_t>(key.size) }, "--" + name);
+          draft_.setLeg(leg, key, { begin, begin + static_cast<std::ptrdiff_t>(key.size) }, "--" + name, true);
       }
-      isDrive(key) ? setDrives(key, words) : setDimension(key.name, words);
+      if (key.kind == DraftKey::Kind::WORD)
+        setKind(words);
+      if (is_number)
+        isDrive(key) ? setDrives(key, words) : setDimension(key, words);
     });
+  }
+
+  void setKind(const Words& words)
+  {
+    for (const std::string& word : words)
+      readChoice(word, { LEG_KINDS.begin(), LEG_KINDS.end() });
+    kind_ =
+        static_cast<LegDescription::Kind>(std::find(LEG_KINDS.begin(), LEG_KINDS.end(), words[0]) - LEG_KINDS.begin());
+    differ_ = differ_ || words.size() == 3;
   }
 
   void setDrives(const DraftKey& key, const Words& words)
@@ -143,15 +167,10 @@ private:
   }
 
   /// The same number of a machine of the catalogue.
-  void setDimension(const std::string& name, const Words& words)
+  void setDimension(const DraftKey& key, const Words& words)
   {
-    if (name == "length")
-      given_.length = readNumbers(words, LENGTH_POSITIVE)[0];
-    else if (name == "rail_radius")
-      given_.rail_radius = readNumbers(words, LENGTH_POSITIVE)[0];
-    else if (name == "platform_radius")
-      given_.platform_radius = readNumbers(words, LENGTH_POSITIVE)[0];
-    differ_ = differ_ || words.size() == 3;
+    pkm_workspace::cli::setDimension(key.name, readNumbers(words, quantityOf(key)), given_);
+    differ_ = differ_ || words.size() == 3 * key.size;
   }
 
   void declareMachine(Options& options, const DraftKey& key)
@@ -159,9 +178,9 @@ private:
     const std::string name = optionName(key);
     const Quantity quantity = quantityOf(key);
     options.words(name, key.values,
-                  key.help + (key.kind == DraftKey::Kind::SIDE ? std::string() : "; each " + quantity.describe()),
+                  key.help + (key.kind == DraftKey::Kind::WORD ? std::string() : "; each " + quantity.describe()),
                   [this, &key, name, quantity](const Words& words) {
-                    if (key.kind != DraftKey::Kind::SIDE)
+                    if (key.kind != DraftKey::Kind::WORD)
                       readNumbers(words, quantity);
                     draft_.setMachine(key, words, "--" + name);
                   });
@@ -187,6 +206,8 @@ private:
       problems.push_back(
           "only one of --linear-delta, --from, --template, --orthoglide, --uranesx and --machine can be "
           "given");
+    else if (is_delta_ && options.given("kind"))
+      problems.push_back("a linear delta has rails: leave --linear-delta or --kind out");
     else if (sources == 0 && draft_.isEmpty())
       problems.push_back(
           "which machine? Give its numbers (--linear-delta --rail-radius R --length L --travel LO HI), a "
@@ -211,7 +232,7 @@ private:
           std::find(known.begin(), known.end(), name) == known.end())
         problems.push_back("this machine has no such dimension: --" + name);
     if (differ_)
-      problems.push_back("the legs of this machine are alike; give --linear-delta for legs that differ");
+      problems.push_back("the legs of this machine are alike; give --kind for legs that differ");
     if (problems.empty())
       tryTo(
           [this] {
@@ -222,7 +243,12 @@ private:
 
   void makeFromFile(const Options& options, Problems& problems)
   {
-    if (!draft_.isEmpty() || given_.lambda || options.given("name"))
+    const Words names = allNames();
+    const auto isNone = [&](const std::string& name) {
+      return name == "from" || name == "template" || (name == "kind" && is_template_ && !differ_) ||
+             !options.given(name);
+    };
+    if (!std::all_of(names.begin(), names.end(), isNone))
       problems.push_back(std::string("numbers and a machine file cannot be given together: write them into the file"));
     else if (!is_template_)
       tryTo([this] { write(readMachineFile(file_)); }, problems);
@@ -255,13 +281,12 @@ private:
   bool is_orthoglide_ = false;
   bool is_uranesx_ = false;
   bool differ_ = false;
-  std::string machine_;
-  std::string file_;
+  LegDescription::Kind kind_ = LegDescription::Kind::RAIL;  ///< of the legs of a machine file
+  std::string machine_, file_;
   Dimensions given_;
   MachineDraft draft_;
   ToleranceWish tolerances_;
-  std::string output_;
-  std::string urdf_;
+  std::string output_, urdf_;
 };
 }  // namespace
 

@@ -68,7 +68,7 @@ private:
     const MachineDraft::Texts texts = valuesOf(key, node);
     for (const std::size_t leg : legs)
       if (!texts.empty())
-        draft_.setLeg(leg, key, texts, placeOf(node));
+        draft_.setLeg(leg, key, texts, placeOf(node), legs.size() > 1);
   }
 
   MapEntries machineEntries()
@@ -116,47 +116,6 @@ private:
   bool legs_read_ = false;
 };
 }  // namespace
-
-std::string machineFileTemplate()
-{
-  return R"(# A machine with three rails and three struts of fixed length: fill in what you measured, then
-#   pkm urdf --from FILE --output machine.urdf
-# Angles are degrees, lengths the unit below. What begins with "# " may be left out.
-name: my_machine
-unit: m                      # m or mm
-
-# What the three legs share. Each leg has axes of its own: outwards, sideways (counter-clockwise), up.
-all_legs:
-  rail_radius: 0.130         # from the middle of the machine to the strut's joint on the slider
-  platform_radius: 0.030     # from the middle of the platform to the strut's other joint
-  travel: [0, 0.35]          # joint values that the slider can take
-  # home: 0.35               # joint value of the slider when the machine is homed; without it 0
-  # home_height: 0.65        # height of the slider then; without it the tool touches z = 0 at the lower ends
-  # lean: [0, 0]             # of the rail from the vertical: outwards, sideways
-  # slider_joint: [0, 0, 0]  # of the strut, seen from the rail at rail_radius: outwards, sideways, up
-  # platform_joint: [0, 0, 0]  # of the strut, seen from its place on the circle of platform_radius
-  # joint_speed_max: 0.5     # largest speed of the slider [m/s]; without it none is known
-  # joint_effort_max: 100    # largest force on the slider [N]; without it none is known
-  # working_mode: -1         # -1: the strut hangs below its slider, 1: it stands on it
-
-# What each has of its own; every key of all_legs may stand here, too.
-legs:
-  - angle: 0                 # where the leg stands around the machine, counter-clockwise from x
-    length: 0.2690           # of the strut, from joint to joint
-    # joint: rail_1          # name of the rail's joint
-    # x: 0.130               # place of the rail, in place of rail_radius; with it no angle is needed
-    # y: 0
-  - angle: 120.4
-    length: 0.2688
-  - angle: 239.7
-    length: 0.2691
-
-tool: [0, 0, -0.040]         # the tool point, seen from the middle of the platform
-# assembly: lower            # upper: the platform is above rails that lie, where both are possible
-mount: [0, 0, 0.75]          # where the machine stands in the frame "world"
-mount_rpy: [0, 0, 15]        # and how it is turned there: roll, pitch, yaw
-)";
-}
 
 MachineDescription readMachineText(const std::string& text, const std::string& name)
 {

@@ -123,7 +123,7 @@ Machine delta(const DeltaDimensions& dimensions)
     crank.radius = dimensions.crank;
     crank.platform = Interval(dimensions.platform_radius) * directions[i];
     crank.length = dimensions.forearm;
-    legs[i] = { "crank_" + std::to_string(i + 1), Interval::entire(), crank };
+    legs[i] = { "crank_" + std::to_string(i + 1), dimensions.limits, crank };
   }
   const double across = dimensions.base_radius + dimensions.crank - dimensions.platform_radius;
   return Machine("delta", legs, Eigen::Vector3d(0.0, 0.0, -heightOf(dimensions.forearm, across)));
@@ -133,8 +133,7 @@ Machine tripod(const TripodDimensions& dimensions)
 {
   requireLengths({ { "base radius", dimensions.base_radius },
                    { "platform radius", dimensions.platform_radius },
-                   { "length", dimensions.length },
-                   { "stroke", dimensions.stroke } });
+                   { "length", dimensions.length } });
   const auto directions = threeDirections();
   Machine::Legs legs;
   for (std::size_t i = 0; i < 3; ++i)
@@ -143,10 +142,28 @@ Machine tripod(const TripodDimensions& dimensions)
     strut.foot = Interval(dimensions.base_radius) * directions[i];
     strut.platform = Interval(dimensions.platform_radius) * directions[i];
     strut.length = dimensions.length;
-    legs[i] = { "strut_" + std::to_string(i + 1), { -0.5 * dimensions.stroke, 0.5 * dimensions.stroke }, strut };
+    legs[i] = { "strut_" + std::to_string(i + 1), dimensions.limits, strut };
   }
   const double across = dimensions.base_radius - dimensions.platform_radius;
   return Machine("tripod", legs, Eigen::Vector3d(0.0, 0.0, heightOf(dimensions.length, across)));
+}
+
+Machine mixedLegs()
+{
+  Machine::Legs legs = orthoglide().legs();
+  legs[0].limits = { -0.5, 0.8 };
+  TelescopicStrut strut;
+  strut.foot = { 0.0, -1.0, 0.0 };
+  strut.platform = { 0.0, 0.0, 0.0 };
+  legs[1] = { "strut_y", { -0.4, 0.4 }, strut };
+  Crank crank;
+  crank.pivot = { -0.5, 0.0, -1.0 };
+  crank.along = { 1.0, 0.0, 0.0 };
+  crank.across = { 0.0, 0.0, 1.0 };
+  crank.radius = 0.5;
+  crank.platform = { 0.0, 0.0, 0.0 };
+  legs[2] = { "crank_z", { -1.2, 1.2 }, crank };
+  return Machine("mixed_legs", legs, Eigen::Vector3d::Zero());
 }
 
 Machine uranesx()

@@ -48,14 +48,32 @@ StrutTurns turnsOf(const Vector3d& direction)
   return { drawnAngle(std::atan2(-direction.x(), -direction.z())), drawnAngle(std::asin(sine)) };
 }
 
+const char* placeNameOf(LegDescription::Kind kind)
+{
+  switch (kind)
+  {
+    case LegDescription::Kind::TELESCOPE:
+      return "foot";
+    case LegDescription::Kind::CRANK:
+      return "crank";
+    default:
+      return "rail";
+  }
+}
+
 std::string commentOn(const LegDescription& leg, std::size_t number)
 {
   TextStream text;
   text << "leg " << number << ": ";
   if (leg.foot != Eigen::Vector2d::Zero())
     text << "at x = " << nearly(leg.foot.x(), 9) << " m, y = " << nearly(leg.foot.y(), 9) << " m, ";
-  text << "turned by " << nearly(leg.angle * 180.0 / M_PI, 9) << " degrees, rail at radius " << leg.radius
-       << " m, strut " << leg.length << " m";
+  text << "turned by " << nearly(leg.angle * 180.0 / M_PI, 9) << " degrees, " << placeNameOf(leg.kind) << " at radius "
+       << leg.radius << " m, ";
+  if (leg.kind == LegDescription::Kind::CRANK)
+    text << "crank " << leg.crank << " m, ";
+  text << "strut " << leg.length << " m";
+  if (leg.kind == LegDescription::Kind::TELESCOPE)
+    text << " at joint value 0";
   return text.str();
 }
 
@@ -64,14 +82,36 @@ Vector3d railAxis(const LegDescription& leg)
   return railDirection(leg).unaryExpr([](double x) { return roundedTo(x, 1e15); });
 }
 
+/// From the leg's own axes to where its passive joints begin.
+void placeDrive(const LegDescription& leg, LegPlaces& places)
+{
+  const Vector3d base(leg.radius, 0.0, leg.height);
+  places.rail = { base, {} };
+  places.rail_axis = railAxis(leg);
+  if (leg.kind == LegDescription::Kind::TELESCOPE)
+    places.rail_axis = -Vector3d::UnitZ();
+  if (leg.kind != LegDescription::Kind::CRANK)
+    return;
+  places.rail = { base, { 0.0, leg.crank_zero, 0.0 } };
+  if (leg.axis_lean != 0.0)
+  {
+    places.hip = Origin{ base, { leg.axis_lean, 0.0, 0.0 } };
+    places.level = turned(-leg.axis_lean, 0.0, 0.0);
+    places.rail.xyz.setZero();
+  }
+  places.rail_axis = leg.turn * Vector3d::UnitY();
+  places.elbow = { { leg.crank, 0.0, 0.0 }, { 0.0, -leg.crank_zero, 0.0 } };
+}
+
 LegPlaces placesOf(const LegDescription& leg, const StrutTurns& strut, const Vector3d& tool, std::size_t number)
 {
   LegPlaces places;
   places.comment = commentOn(leg, number);
   places.tower = Origin{ { leg.foot.x(), leg.foot.y(), 0.0 }, { 0.0, 0.0, leg.angle } };
-  places.rail = { { leg.radius, 0.0, leg.height }, {} };
-  places.rail_axis = railAxis(leg);
+  placeDrive(leg, places);
   places.revolute = { leg.slider_joint, { 0.0, strut.pitch, 0.0 } };
+  if (leg.kind == LegDescription::Kind::TELESCOPE)
+    places.revolute.xyz = places.rail.xyz;
   places.revolute_axis = Vector3d::UnitY();
   places.parallelogram = turned(strut.roll, 0.0, 0.0);
   places.parallelogram_axis = Vector3d::UnitX();
@@ -96,10 +136,18 @@ LegNumbers numbersOf(const LegDescription& leg, const Vector3d& zero, const Vect
   const Eigen::Matrix3d axes = legAxes(leg);
   LegNumbers numbers;
   numbers.joint = leg.joint;
-  numbers.origin = sliderJoint(leg, 0.0);
+  numbers.form = leg.kind == LegDescription::Kind::CRANK       ? LegForm::CRANK
+                 : leg.kind == LegDescription::Kind::TELESCOPE ? LegForm::TELESCOPE
+                                                               : LegForm::SLIDER;
+  numbers.arm = crankArm(leg, 0.0);
+  numbers.origin = drivenJoint(leg, 0.0) - numbers.arm;
   numbers.axis = axes * railDirection(leg);
   numbers.platform = axes * leg.platform_joint - tool;
-  numbers.strut = zero + numbers.platform - numbers.origin;
+  numbers.strut = zero + numbers.platform - drivenJoint(leg, 0.0);
+  if (numbers.form == LegForm::CRANK)
+    numbers.axis = leg.turn * crankAxes(leg).col(1);
+  if (numbers.form == LegForm::TELESCOPE)
+    numbers.axis = numbers.strut.normalized();
   numbers.speed = leg.speed;
   numbers.effort = leg.effort;
   numbers.lower = leg.lower;
@@ -114,6 +162,9 @@ LegPlaces placesOf(const LegNumbers& numbers)
   LegPlaces places;
   places.rail.xyz = numbers.origin;
   places.rail_axis = numbers.axis;
+  places.elbow.xyz = numbers.arm;
+  if (numbers.form == LegForm::TELESCOPE)
+    places.revolute.xyz = numbers.origin;
   places.revolute_axis = numbers.revolute;
   places.parallelogram_axis = numbers.parallelogram;
   places.parallelogram_back.xyz = numbers.strut;
@@ -135,7 +186,7 @@ std::array<DescribedLeg, 3> describedLegs(const MachineDescription& machine)
   for (std::size_t i = 0; i < 3; ++i)
   {
     const LegDescription& leg = machine.legs[i];
-    const Eigen::Matrix3d axes = legAxes(leg);
+    const Eigen::Matrix3d axes = crankAxes(leg);
     legs[i].numbers = numbersOf(leg, *zero, machine.tool);
     const StrutTurns strut = turnsOf(axes.transpose() * legs[i].numbers.strut.normalized());
     legs[i].places = placesOf(leg, strut, machine.tool, i + 1);

@@ -19,8 +19,10 @@ struct LegPlaces
 {
   std::string comment;          ///< what the numbers are to a reader
   std::optional<Origin> tower;  ///< the leg's own axes
-  Origin rail;
+  std::optional<Origin> hip;    ///< turned to the axis of a crank, where that is not level
+  Origin rail;                  ///< or crank
   Eigen::Vector3d rail_axis;
+  Origin elbow;
   Origin revolute;
   Eigen::Vector3d revolute_axis;
   Origin parallelogram;
@@ -28,6 +30,7 @@ struct LegPlaces
   Origin parallelogram_back;
   Origin revolute_back;
   std::optional<Origin> flange;  ///< takes back the turn of the strut at zero
+  std::optional<Origin> level;   ///< takes back that of the hip
   std::optional<Origin> plate;   ///< the middle of the platform, where that is not the tool point
   Origin tcp;
 };
@@ -35,9 +38,9 @@ struct LegPlaces
 /// All frames are parallel to the root's.
 LegPlaces placesOf(const LegNumbers& numbers);
 
-/// A described leg: a yaw and a radius lead to its rail, and its strut is as long as the description says to the last
-/// digit. Angles of the strut at zero are rounded to 1e-9 rad, and so are turned drawings of it: they are not part of
-/// the machine.
+/// A described leg: a yaw and a radius lead to its rail, crank or foot, and its strut is as long as the description
+/// says to the last digit. Angles of the strut at zero are rounded to 1e-9 rad, and so are turned drawings of it: they
+/// are not part of the machine.
 struct DescribedLeg
 {
   LegNumbers numbers;  ///< in the frame base_link

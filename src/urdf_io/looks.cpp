@@ -58,25 +58,70 @@ Vector3d behindRail(const LegNumbers& leg, const Vector3d& tool)
   return leg.axis.unitOrthogonal();
 }
 
-/// @param middle of the platform, seen from the tool point
-LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, const Vector3d& middle, double unit)
+void lookLikeRail(const LegNumbers& leg, const Vector3d& tool, double unit, LegLooks& looks)
 {
   const Vector3d behind = 0.1 * unit * behindRail(leg, tool);
   const Vector3d along = 0.07 * unit * leg.axis;
-
-  LegLooks looks;
   const Vector3d start = leg.origin + behind;
   looks.rail = beam(start + leg.drawn.first * leg.axis - 1.5 * along, start + leg.drawn.second * leg.axis + 1.5 * along,
                     behind, 0.035 * unit, 0.05 * unit, "rail");
   looks.slider = { beam(behind - along, behind + along, behind, 0.07 * unit, 0.1 * unit, "slider"),
                    beam(behind, Vector3d::Zero(), leg.axis, 0.05 * unit, 0.03 * unit, "slider") };
+}
+
+void lookLikeCrank(const LegNumbers& leg, double unit, LegLooks& looks)
+{
+  const Vector3d along = 0.09 * unit * leg.axis;
+  looks.rail = rod(leg.origin - along, leg.origin + along, 0.035 * unit, "rail");
+  looks.slider = { beam(Vector3d::Zero(), leg.arm, leg.axis, 0.04 * unit, 0.03 * unit, "slider") };
+}
+
+/// The rod goes through the foot where the barrel is too short for it, as a screw does.
+void lookLikeTelescope(const LegNumbers& leg, double unit, LegLooks& looks)
+{
+  const Vector3d along = leg.strut.normalized();
+  const double barrel = 0.95 * (leg.strut.norm() + leg.lower);
+  looks.rail = { Solid::Shape::SPHERE, { 0.04 * unit, 0.0, 0.0 }, leg.origin, Matrix3d::Identity(), "rail" };
+  looks.barrel = { rod(Vector3d::Zero(), barrel * along, 0.022 * unit, "slider") };
+  looks.bar = rod((barrel - leg.upper - 0.03 * unit) * along, leg.strut, 0.012 * unit, "bar");
+  looks.short_bar = {
+    Solid::Shape::SPHERE, { 0.025 * unit, 0.0, 0.0 }, Vector3d::Zero(), Matrix3d::Identity(), "joint"
+  };
+}
+
+/// @param middle of the platform, seen from the tool point
+LegLooks looksOf(const LegNumbers& leg, const Vector3d& tool, const Vector3d& middle, double unit)
+{
+  LegLooks looks;
   looks.half_width = 0.06 * unit * leg.revolute;
   looks.short_bar = rod(-1.2 * looks.half_width, 1.2 * looks.half_width, 0.014 * unit, "joint");
   looks.bar = rod(Vector3d::Zero(), leg.strut, 0.01 * unit, "bar");
+  if (leg.form == LegForm::SLIDER)
+    lookLikeRail(leg, tool, unit, looks);
+  else if (leg.form == LegForm::CRANK)
+    lookLikeCrank(leg, unit, looks);
+  else
+    lookLikeTelescope(leg, unit, looks);
   const Vector3d arm = middle - leg.platform;
   if (arm.norm() > 0.02 * unit)
     looks.tip = { beam(Vector3d::Zero(), arm, tool, 0.02 * unit, 0.04 * unit, "platform") };
   return looks;
+}
+}  // namespace
+
+namespace
+{
+/// Arms that lead from the middle of all cranks and feet to each.
+std::vector<Solid> baseOf(const std::array<LegNumbers, 3>& numbers, double unit)
+{
+  const Vector3d middle = (numbers[0].origin + numbers[1].origin + numbers[2].origin) / 3.0;
+  std::vector<Solid> arms;
+  for (const LegNumbers& leg : numbers)
+    if (leg.form == LegForm::SLIDER)
+      return {};
+    else if ((leg.origin - middle).norm() > 0.02 * unit)
+      arms.push_back(beam(middle, leg.origin, leg.strut, 0.03 * unit, 0.06 * unit, "rail"));
+  return arms;
 }
 }  // namespace
 
@@ -98,6 +143,7 @@ Looks looksOf(const std::array<LegNumbers, 3>& numbers, const Vector3d& tool)
   Looks looks;
   for (std::size_t i = 0; i < 3; ++i)
     looks.legs[i] = looksOf(numbers[i], pointing, -tool, unit);
+  looks.base = baseOf(numbers, unit);
   looks.platform = { { Solid::Shape::SPHERE, { 0.05 * unit, 0.0, 0.0 }, -tool, Matrix3d::Identity(), "platform" },
                      rod(-tool, body * pointing - tool, 0.03 * unit, "platform"),
                      rod(body * pointing - tool, whole * pointing - tool, 0.01 * unit, "tool") };

@@ -38,10 +38,11 @@ struct Solid
 /// What rviz draws of one leg: all solids but the rail move with the link that they are named after.
 struct LegLooks
 {
-  Solid rail;  ///< on the root link
-  std::vector<Solid> slider;
-  Solid short_bar;  ///< of the parallelogram, on the knuckle at the slider and on the wrist at the platform
-  Solid bar;        ///< one of the two long bars, from its own end at the slider
+  Solid rail;                 ///< on the root link; or what carries a crank or a strut of variable length
+  std::vector<Solid> slider;  ///< or the crank
+  Solid short_bar;            ///< of the parallelogram, on the knuckle at the slider and on the wrist at the platform
+  Solid bar;  ///< one of the two long bars, from its own end at the slider; or the rod of a strut that gets longer
+  std::vector<Solid> barrel;  ///< of such a strut, in which the rod goes
   std::vector<Solid> tip;
   Eigen::Vector3d half_width;  ///< from the strut to one of the two bars [m]
 };
@@ -49,6 +50,7 @@ struct LegLooks
 struct Looks
 {
   std::array<LegLooks, 3> legs;
+  std::vector<Solid> base;      ///< on the root link, where no leg has a rail
   std::vector<Solid> platform;  ///< with the tool, seen from the tool point
 };
 /// @param tool the tool point, seen from the middle of the platform [m]; 0: a tool is drawn beyond it

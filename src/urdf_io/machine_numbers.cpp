@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/machine/rails.h"
 #include "placement.h"
 
@@ -46,57 +47,133 @@ Vector3d nearestThat(const Vector3d& v, const Machine& machine, const Fits& fits
                               "' cannot be written as a URDF: no doubles near its axes and struts read back as them");
 }
 
-/// Numbers for <axis>: rails that share one direction get the same ones, others get others.
-Vector3d axisNumbers(const Machine& machine, int i, const std::array<LegNumbers, 3>& before)
+/// Numbers for the <axis> of a rail: rails that share one direction get the same ones, others get others.
+Vector3d axisNumbers(const SlidingStrut& strut, const Machine& machine, int i, const std::array<LegNumbers, 3>& before)
 {
-  const IntervalVector& axis = slidingStrut(machine.leg(i)).axis;
   const auto fits = [&](const Vector3d& candidate) {
     bool distinct = true;
     for (int j = 0; j < i; ++j)
     {
-      const Direction other = directionIn(Frame(), before[static_cast<std::size_t>(j)].axis);
-      const bool parallel = exactlyParallel(directionIn(Frame(), candidate), other) != 0;
-      distinct = distinct && parallel == (parallelSense(machine.leg(i), machine.leg(j)) != 0);
+      const LegNumbers& other = before[static_cast<std::size_t>(j)];
+      const bool parallel = exactlyParallel(directionIn(Frame(), candidate), directionIn(Frame(), other.axis)) != 0;
+      distinct = distinct &&
+                 (other.form != LegForm::SLIDER || parallel == (parallelSense(machine.leg(i), machine.leg(j)) != 0));
     }
-    return distinct && intersects(unitVector(candidate), axis);
+    return distinct && intersects(unitVector(candidate), strut.axis);
   };
-  return nearestThat(mid(axis), machine, fits);
+  return nearestThat(mid(strut.axis), machine, fits);
 }
 
-/// Bounds of the joint over all that the machine reaches: with M = sum P_i, P_i = I - e_i e_i^T, its points lie in the
-/// ellipsoid (p - p_0)^T M (p - p_0) <= sum L_i^2 - sum |P_i (p_0 - c_i)|^2. One strut length to either side of the
-/// zero configuration where M is nearly singular, for rails that are nearly parallel.
-std::pair<double, double> reachableTravel(const Machine& machine, int leg)
+/// Numbers for the vector from A to B.
+Vector3d strutNumbers(const IntervalVector& strut, const Interval& length, const Machine& machine)
+{
+  return nearestThat(mid(strut), machine, [&](const Vector3d& v) { return lengthOf(enclose(v)).intersects(length); });
+}
+
+void setDrive(const SlidingStrut& strut, const Machine& machine, int i, std::array<LegNumbers, 3>& all)
+{
+  LegNumbers& numbers = all[static_cast<std::size_t>(i)];
+  numbers.origin = mid(strut.origin);
+  numbers.axis = axisNumbers(strut, machine, i, all);
+}
+
+void setDrive(const TelescopicStrut& strut, const Machine& /*machine*/, int i, std::array<LegNumbers, 3>& all)
+{
+  LegNumbers& numbers = all[static_cast<std::size_t>(i)];
+  numbers.form = LegForm::TELESCOPE;
+  numbers.origin = mid(strut.foot);
+  numbers.axis = numbers.strut;
+}
+
+void setDrive(const Crank& crank, const Machine& machine, int i, std::array<LegNumbers, 3>& all)
+{
+  if (crank.drive_scale > 0.0)
+    throw std::invalid_argument("machine '" + machine.name() + "' cannot be written as a URDF: leg " +
+                                std::to_string(i + 1) + " counts a turn of its crank as " + exact(crank.drive_scale) +
+                                " m, and no URDF says so; leave the drive scale out");
+  LegNumbers& numbers = all[static_cast<std::size_t>(i)];
+  numbers.form = LegForm::CRANK;
+  numbers.origin = mid(crank.pivot);
+  const IntervalVector axis = cross(crank.along, crank.across);
+  numbers.axis = nearestThat(mid(axis), machine, [&](const Vector3d& v) { return intersects(unitVector(v), axis); });
+  const IntervalVector unit = unitVector(numbers.axis);
+  numbers.arm = nearestThat(crank.radius.mid() * mid(crank.along), machine, [&](const Vector3d& v) {
+    const IntervalVector along = unitVector(v);
+    return lengthOf(enclose(v)).intersects(crank.radius) && intersects(along, crank.along) &&
+           intersects(cross(unit, along), crank.across) && dot(unit, enclose(v)).contains(0.0);
+  });
+}
+
+const Interval& strutLength(const Leg& leg)
+{
+  return visitLeg([](const auto& kind) -> const Interval& { return kind.length; }, leg.kind);
+}
+
+const IntervalVector& platformPoint(const Leg& leg)
+{
+  return visitLeg([](const auto& kind) -> const IntervalVector& { return kind.platform; }, leg.kind);
+}
+
+/// What leg i bounds the machine's points by; a strut of variable length by its upper limit.
+OuterBound boundOf(const Machine& machine, int i)
+{
+  const auto* const strut = std::get_if<TelescopicStrut>(&machine.leg(i).kind);
+  const double upper = machine.leg(i).limits.upper();
+  if (strut == nullptr)
+    return outerBound(machine.enclosed(i), std::nullopt);
+  if (!std::isfinite(upper))
+    return { IntervalMatrix{}, machine.center(i), Interval(0.0) };
+  return { Frame().rotation, machine.center(i), strut->length + Interval(upper) };
+}
+
+/// Bounds of a rail's joint over all that the machine reaches, by |P_i (p - c_i)| <= r_i of all legs: with M = sum P_i
+/// its points lie in the ellipsoid (p - p_0)^T M (p - p_0) <= sum r_i^2 - sum |P_i (p_0 - c_i)|^2. One strut length to
+/// either side of the zero configuration where M is nearly singular, for rails that are nearly parallel.
+std::pair<double, double> reachableTravel(const SlidingStrut& strut, const Machine& machine, int leg)
 {
   Matrix3d m = Matrix3d::Zero();
   Vector3d right_side = Vector3d::Zero();
   std::array<Matrix3d, 3> projectors;
   for (int i = 0; i < 3; ++i)
   {
-    const Vector3d axis = mid(slidingStrut(machine.leg(i)).axis);
-    projectors[static_cast<std::size_t>(i)] = Matrix3d::Identity() - axis * axis.transpose();
-    m += projectors[static_cast<std::size_t>(i)];
-    right_side += projectors[static_cast<std::size_t>(i)] * mid(machine.center(i));
+    const IntervalMatrix projector = boundOf(machine, i).projector;
+    Matrix3d& rows = projectors[static_cast<std::size_t>(i)];
+    rows << mid(projector[0]).transpose(), mid(projector[1]).transpose(), mid(projector[2]).transpose();
+    m += rows;
+    right_side += rows * mid(machine.center(i));
   }
-  const double length = slidingStrut(machine.leg(leg)).length.mid();
-  const Vector3d axis = mid(slidingStrut(machine.leg(leg)).axis);
+  const double length = strut.length.mid();
+  const Vector3d axis = mid(strut.axis);
   if (Eigen::SelfAdjointEigenSolver<Matrix3d>(m).eigenvalues()[0] < 0.05)
     return { -length, length };
   const Matrix3d inverse = m.inverse();
   const Vector3d middle = inverse * right_side;
   double radius_squared = 0.0;
   for (int i = 0; i < 3; ++i)
-    radius_squared += std::pow(slidingStrut(machine.leg(i)).length.upper(), 2) -
+    radius_squared += std::pow(boundOf(machine, i).radius.upper(), 2) -
                       (projectors[static_cast<std::size_t>(i)] * (middle - mid(machine.center(i)))).squaredNorm();
   const double radius = std::sqrt(std::max(0.0, radius_squared) * axis.dot(inverse * axis)) + 1e-6 * length;
   const double along = axis.dot(middle - mid(machine.center(leg)));
-  const double eta = slidingStrut(machine.leg(leg)).working_mode * length;
+  const double eta = strut.working_mode * length;
   return { along - radius - std::max(eta, 0.0), along + radius - std::min(eta, 0.0) };
+}
+
+/// Nothing bounds it: as short as a strut may well be, and twice as long as at joint value 0.
+std::pair<double, double> reachableTravel(const TelescopicStrut& strut, const Machine& /*machine*/, int /*leg*/)
+{
+  return { -0.8 * strut.length.mid(), strut.length.mid() };
+}
+
+std::pair<double, double> reachableTravel(const Crank& /*crank*/, const Machine& /*machine*/, int /*leg*/)
+{
+  return { -INF, INF };
 }
 
 /// The next multiple of about a tenth of @p length below or above.
 double roundNumber(double value, double length, double (*round)(double))
 {
+  if (!std::isfinite(value))
+    return value;
   const int digits = 1 - static_cast<int>(std::floor(std::log10(length)));
   const double scale = std::pow(10.0, std::abs(digits));
   return digits >= 0 ? round(value * scale) / scale : round(value / scale) * scale;
@@ -105,8 +182,9 @@ double roundNumber(double value, double length, double (*round)(double))
 void setLimits(const Machine& machine, int i, LegNumbers& numbers)
 {
   const Interval& own = machine.leg(i).limits;
-  const double length = slidingStrut(machine.leg(i)).length.mid();
-  const auto travel = reachableTravel(machine, i);
+  const double length = strutLength(machine.leg(i)).mid();
+  const auto travel =
+      visitLeg([&](const auto& kind) { return reachableTravel(kind, machine, i); }, machine.leg(i).kind);
   const double lowest = std::min(own.upper(), roundNumber(travel.first, length, std::floor));
   numbers.lower = std::isfinite(own.lower()) ? own.lower() : lowest;
   const double highest = std::max(numbers.lower, roundNumber(travel.second, length, std::ceil));
@@ -127,10 +205,13 @@ double knownOr0(double limit)
   return std::isfinite(limit) ? limit : 0.0;
 }
 
+/// The first axis is across a rail, and as near as can be to a crank's.
 void setHinges(LegNumbers& numbers)
 {
   const Vector3d along = numbers.strut.normalized();
   Vector3d first = numbers.axis.cross(along);
+  if (numbers.form == LegForm::CRANK)
+    first = numbers.axis - along.dot(numbers.axis) * along;
   if (first.norm() < 0.01)
   {
     Eigen::Index largest = 0;
@@ -141,6 +222,7 @@ void setHinges(LegNumbers& numbers)
   numbers.revolute = first.normalized();
   numbers.parallelogram = along.cross(numbers.revolute).normalized();
 }
+
 /// The machine at joint values 0, where a URDF has to show it assembled. At the zero configuration itself where that is
 /// it.
 Configuration atJointsZero(const Machine& machine)
@@ -155,7 +237,7 @@ Configuration atJointsZero(const Machine& machine)
   if (!p || !zero)
     throw std::invalid_argument(
         "machine '" + machine.name() +
-        "' cannot be written as a URDF: with all joints at 0 m no tool point is in its working mode"
+        "' cannot be written as a URDF: with all joints at 0 no tool point is in its working mode"
         " and on its side of the parallel singularity");
   return *zero;
 }
@@ -167,16 +249,14 @@ std::array<LegNumbers, 3> numbersOf(const Machine& machine)
   std::array<LegNumbers, 3> all;
   for (int i = 0; i < 3; ++i)
   {
-    const SlidingStrut& leg = slidingStrut(machine.leg(i));
+    const Leg& leg = machine.leg(i);
     LegNumbers& numbers = all[static_cast<std::size_t>(i)];
-    numbers.joint = machine.leg(i).joint;
-    numbers.speed = knownOr0(machine.leg(i).speed);
-    numbers.effort = knownOr0(machine.leg(i).effort);
-    numbers.origin = mid(leg.origin);
-    numbers.platform = mid(leg.platform);
-    numbers.axis = axisNumbers(machine, i, all);
-    numbers.strut = nearestThat(mid(zero.strut[static_cast<std::size_t>(i)]), machine,
-                                [&leg](const Vector3d& v) { return lengthOf(enclose(v)).intersects(leg.length); });
+    numbers.joint = leg.joint;
+    numbers.speed = knownOr0(leg.speed);
+    numbers.effort = knownOr0(leg.effort);
+    numbers.platform = mid(platformPoint(leg));
+    numbers.strut = strutNumbers(zero.strut[static_cast<std::size_t>(i)], strutLength(leg), machine);
+    visitLeg([&](const auto& kind) { setDrive(kind, machine, i, all); }, leg.kind);
     setLimits(machine, i, numbers);
     setDrawnTravel(numbers);
     setHinges(numbers);

@@ -118,6 +118,19 @@ void UrdfText::link(const std::string& name, const std::vector<Solid>& solids)
   printer_.CloseElement();
 }
 
+/// Of a joint that turns all around, speed and effort, where they are known.
+void UrdfText::limit(const JointText& joint)
+{
+  Attributes attributes;
+  if (joint.limits)
+    attributes = { { "lower", numberText(joint.limits->first) }, { "upper", numberText(joint.limits->second) } };
+  else if (joint.effort == 0.0 && joint.speed == 0.0)
+    return;
+  attributes.emplace_back("effort", numberText(joint.effort));
+  attributes.emplace_back("velocity", numberText(joint.speed));
+  element("limit", attributes);
+}
+
 void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
 {
   if (joint.name.empty() || !joints_.insert(joint.name).second)
@@ -135,11 +148,7 @@ void UrdfText::branch(const JointText& joint, const std::vector<Solid>& solids)
     element("axis", { { "xyz", vectorText(joint.axis) } });
   if (!joint.master.empty())
     element("mimic", { { "joint", joint.master }, { "multiplier", numberText(joint.multiplier) } });
-  if (joint.type == "prismatic")
-    element("limit", { { "lower", numberText(joint.limits.first) },
-                       { "upper", numberText(joint.limits.second) },
-                       { "effort", numberText(joint.effort) },
-                       { "velocity", numberText(joint.speed) } });
+  limit(joint);
   printer_.CloseElement();
   const Matrix3d parent = axes_.emplace(joint.parent, Matrix3d::Identity()).first->second;
   axes_.emplace(joint.child, parent * turn(rpy));

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -28,11 +29,11 @@ struct JointText
   std::string child;
   Origin origin;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  std::string master = "";                          ///< whom it follows
-  double multiplier = 1.0;                          ///< in doing so
-  std::pair<double, double> limits = { 0.0, 0.0 };  ///< of a prismatic joint [m]
-  double speed = 0.0;                               ///< of a prismatic joint [m/s]; 0 where none is known
-  double effort = 0.0;                              ///< on a prismatic joint [N]; 0 where none is known
+  std::string master = "";                               ///< whom it follows
+  double multiplier = 1.0;                               ///< in doing so
+  std::optional<std::pair<double, double>> limits = {};  ///< [m, rad]
+  double speed = 0.0;                                    ///< of a driven joint [m/s, rad/s]; 0 where none is known
+  double effort = 0.0;                                   ///< on a driven joint [N, N m]; 0 where none is known
 };
 
 /// Writes the elements of a URDF, below a link "base_link" with the machine's axes. Numbers of joints read back as the
@@ -59,6 +60,7 @@ private:
   void open(const char* element, const Attributes& attributes = {});
   void element(const char* name, const Attributes& attributes);
   void material(const Material& material);
+  void limit(const JointText& joint);
   void visual(const Solid& solid, const Eigen::Matrix3d& axes);
 
   tinyxml2::XMLPrinter printer_;

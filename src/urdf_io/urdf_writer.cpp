@@ -31,38 +31,61 @@ public:
       text_.comment(at.comment);
     if (at.tower)
       text_.branch({ numbered("tower_joint"), "fixed", "base_link", numbered("tower"), *at.tower });
-    JointText rail{ leg_.joint,         "prismatic", at.tower ? numbered("tower") : "base_link",
-                    numbered("slider"), at.rail,     at.rail_axis };
-    rail.limits = { leg_.lower, leg_.upper };
-    rail.speed = leg_.speed;
-    rail.effort = leg_.effort;
-    text_.branch(rail, looks_.slider);
-    text_.branch(hinge("revolute", "slider", "knuckle", at.revolute, at.revolute_axis), { looks_.short_bar });
-    text_.branch(hinge("parallelogram", "knuckle", "strut", at.parallelogram, at.parallelogram_axis));
-    text_.branch(follower("parallelogram", -1.0, "parallelogram_back", "strut", "wrist", at.parallelogram_back,
+    const std::string base = at.tower ? numbered("tower") : "base_link";
+    const std::string start = leg_.form == LegForm::TELESCOPE ? base : writeDrive(base);
+    text_.branch(hinge("revolute", start, "knuckle", at.revolute, at.revolute_axis), { looks_.short_bar });
+    text_.branch(hinge("parallelogram", numbered("knuckle"), "strut", at.parallelogram, at.parallelogram_axis),
+                 looks_.barrel);
+    std::string end = "strut";
+    if (leg_.form == LegForm::TELESCOPE)
+    {
+      end = "rod";
+      text_.branch(driven("prismatic", numbered("strut"), end, {}, at.rail_axis), { looks_.bar });
+    }
+    text_.branch(follower(numbered("parallelogram"), -1.0, "parallelogram_back", end, "wrist", at.parallelogram_back,
                           at.parallelogram_axis),
                  { looks_.short_bar });
-    text_.branch(follower("revolute", -1.0, "revolute_back", "wrist", "tip", at.revolute_back, at.revolute_axis),
-                 looks_.tip);
+    text_.branch(
+        follower(numbered("revolute"), -1.0, "revolute_back", "wrist", "tip", at.revolute_back, at.revolute_axis),
+        looks_.tip);
     writePlatform();
   }
 
   /// The two bars of the parallelogram, beside the strut: what rviz shows.
   void writeBars() const
   {
+    if (leg_.form == LegForm::TELESCOPE)
+      return;
     for (const auto& [name, sign] : { std::make_pair("a", 1.0), std::make_pair("b", -1.0) })
     {
       Origin beside = places_.parallelogram;
       beside.xyz += text_.inLink(numbered("knuckle"), sign * looks_.half_width);
       if (places_.tower)  // turned there and back: rounding is no coordinate
         beside.xyz = beside.xyz.unaryExpr([](double x) { return std::round(x * 1e9) / 1e9 + 0.0; });
-      text_.branch(follower("parallelogram", 1.0, std::string("bar_joint_") + name, "knuckle",
+      text_.branch(follower(numbered("parallelogram"), 1.0, std::string("bar_joint_") + name, "knuckle",
                             std::string("bar_") + name, beside, places_.parallelogram_axis),
                    { looks_.bar });
     }
   }
 
 private:
+  /// The joint that a motor moves, before all others. @return the link that the passive joints begin at
+  std::string writeDrive(const std::string& base) const
+  {
+    const LegPlaces& at = places_;
+    if (leg_.form == LegForm::SLIDER)
+    {
+      text_.branch(driven("prismatic", base, "slider", at.rail, at.rail_axis), looks_.slider);
+      return numbered("slider");
+    }
+    if (at.hip)
+      text_.branch({ numbered("hip_joint"), "fixed", base, numbered("hip"), *at.hip });
+    text_.branch(driven(std::isfinite(leg_.lower) ? "revolute" : "continuous", at.hip ? numbered("hip") : base,
+                        "crank_link", at.rail, at.rail_axis),
+                 looks_.slider);
+    text_.branch(follower(leg_.joint, -1.0, "elbow", "crank_link", "elbow_link", at.elbow, at.rail_axis));
+    return numbered("elbow_link");
+  }
   void writePlatform() const
   {
     std::string last = "tip";
@@ -72,20 +95,31 @@ private:
       last = place ? link : last;
     };
     fix(places_.flange, "flange");
+    fix(places_.level, "level");
     fix(places_.plate, "plate");
     fix(places_.tcp, "tcp");
   }
   std::string numbered(const std::string& name) const { return name + "_" + number_; }
-  JointText hinge(const std::string& name, const char* parent, const std::string& child, const Origin& origin,
+  JointText driven(const char* type, const std::string& parent, const std::string& child, const Origin& origin,
+                   const Vector3d& axis) const
+  {
+    JointText joint{ leg_.joint, type, parent, numbered(child), origin, axis };
+    if (std::isfinite(leg_.lower))
+      joint.limits = std::make_pair(leg_.lower, leg_.upper);
+    joint.speed = leg_.speed;
+    joint.effort = leg_.effort;
+    return joint;
+  }
+  JointText hinge(const std::string& name, const std::string& parent, const std::string& child, const Origin& origin,
                   const Vector3d& axis) const
   {
-    return { numbered(name), "continuous", numbered(parent), numbered(child), origin, axis };
+    return { numbered(name), "continuous", parent, numbered(child), origin, axis };
   }
-  JointText follower(const char* master, double multiplier, const std::string& name, const char* parent,
+  JointText follower(const std::string& master, double multiplier, const std::string& name, const std::string& parent,
                      const std::string& child, const Origin& origin, const Vector3d& axis) const
   {
-    JointText joint = hinge(name, parent, child, origin, axis);
-    joint.master = numbered(master);
+    JointText joint = hinge(name, numbered(parent), child, origin, axis);
+    joint.master = master;
     joint.multiplier = multiplier;
     return joint;
   }
@@ -112,9 +146,13 @@ std::string writeBelow(UrdfText& text, const std::array<LegNumbers, 3>& numbers,
   return text.finish();
 }
 
-std::vector<Solid> railsOf(const Looks& looks)
+/// What does not move.
+std::vector<Solid> baseOf(const Looks& looks)
 {
-  return { looks.legs[0].rail, looks.legs[1].rail, looks.legs[2].rail };
+  std::vector<Solid> base = looks.base;
+  for (const LegLooks& leg : looks.legs)
+    base.push_back(leg.rail);
+  return base;
 }
 }  // namespace
 
@@ -123,7 +161,7 @@ std::string writeUrdf(const Machine& machine)
   const auto numbers = numbersOf(withTolerances(machine, {}));
   const Looks looks = looksOf(numbers);
   UrdfText text(machine.name());
-  text.link("base_link", railsOf(looks));
+  text.link("base_link", baseOf(looks));
   return writeBelow(text, numbers, { placesOf(numbers[0]), placesOf(numbers[1]), placesOf(numbers[2]) }, looks,
                     tolerancesOf(machine));
 }
@@ -139,10 +177,10 @@ std::string writeUrdf(const MachineDescription& machine)
     const Vector3d& rpy = machine.mount->rpy;
     text.link("world");
     text.branch({ "mount", "fixed", "world", "base_link", { machine.mount->xyz, { rpy.x(), rpy.y(), rpy.z() } } },
-                railsOf(looks));
+                baseOf(looks));
   }
   else
-    text.link("base_link", railsOf(looks));
+    text.link("base_link", baseOf(looks));
   return writeBelow(text, numbers, { legs[0].places, legs[1].places, legs[2].places }, looks, machine.tolerances);
 }
 }  // namespace pkm_workspace

@@ -54,7 +54,8 @@ OPTIONS = {
     "import": COMMON | TOLERANCES | {"file", "format", "name", "output"},
     "urdf": COMMON | TOLERANCES | {"linear-delta", "from", "template", "orthoglide", "uranesx", "machine", "lambda",
                       "output", "name", "joint", "angle", "rail-radius", "x", "y", "lean", "length", "platform-radius",
-                      "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode",
+                      "slider-joint", "platform-joint", "travel", "home", "home-height", "working-mode", "kind",
+                      "crank", "base-radius", "base-height", "crank-zero", "turn", "axis-lean",
                       "joint-speed-max", "joint-effort-max", "tool",
                       "mount", "mount-rpy", "assembly"},
 }

@@ -74,13 +74,13 @@ class Legs(CommandTest):
         answer = self.answer("evaluate", *TRIPOD, "--set", "reachable", "--joint-limits", "off", "--aspect", "both",
                              "--point", 0.05, 0.03, 0.74)
         self.assertTrue(answer["satisfies"])
-        self.assertRegex(answer["message"], r"the strut of 'strut_joint_\d' is 0\.\d+ m long there")
+        self.assertRegex(answer["message"], r"the strut of 'strut_\d' is 0\.\d+ m long there")
 
     def test_what_is_not_known_of_them_is_refused(self):
         for words, reason in (
                 (("compare", *TRIPOD, *DELTA), r"strokes of their joints \[m\]; joint 'crank_1' of 'delta' turns"),
                 (("largest", *TRIPOD, "--joint-limits", "off"), "no longest length but for joint limits that hold"),
-                (("largest", *TRIPOD, "--strut-angle-min", 0.1), "strut_angle_min cannot hold: joint 'strut_joint_1'"),
+                (("largest", *TRIPOD, "--strut-angle-min", 0.1), "strut_angle_min cannot hold: joint 'strut_1'"),
                 (("largest", *DELTA, "--tolerance-length", 1e-4), "leg 'crank_1' is no strut of fixed length")):
             with self.subTest(words):
                 process = run(*words)

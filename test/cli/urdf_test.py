@@ -14,9 +14,10 @@ from pkm import URDF, CommandTest, run
 
 class Urdf(CommandTest):
     def test_machines_of_the_repository_are_the_catalogue_s(self):
-        for name, speed, effort in (("orthoglide", 1.2, 280), ("orthoglide_prototype", 1.2, 280),
-                                    ("uranesx", 1.6, 2000)):
-            text = self.text("urdf", "--machine", name, "--joint-speed-max", speed, "--joint-effort-max", effort)
+        for name, speeds, efforts in (("orthoglide", [1.2], [280]), ("orthoglide_prototype", [1.2], [280]),
+                                      ("uranesx", [1.6], [2000]), ("delta", [10], [200]), ("tripod", [0.5], [1500]),
+                                      ("mixed_legs", [1, 0.5, 5], [300, 500, 150])):
+            text = self.text("urdf", "--machine", name, "--joint-speed-max", *speeds, "--joint-effort-max", *efforts)
             file = (URDF / f"{name}.urdf").read_text(encoding="utf-8")
             self.assertEqual(text, re.sub("<!--.*?-->\n", "", file))
 
@@ -102,6 +103,49 @@ class Urdf(CommandTest):
         self.assertAlmostEqual(heights[0], heights[1], places=12)
         self.assertAlmostEqual(heights[0], heights[2], places=12)
         self.assertAlmostEqual(heights[0], 0.25 + 0.040, places=3)
+
+    def test_cranks_and_struts_of_variable_length_are_made_from_numbers(self):
+        """Each leg is as long as its numbers say, whatever the others are."""
+        urdf = self.machine("--kind", "rail", "telescope", "crank", "--rail-radius", 0.13, "--base-radius", 0.06,
+                            "--base-height", 0.3, "--crank", 0.09, "--length", 0.27, "--home-height", 0.3,
+                            "--turn", -1, "--crank-zero", 10, "--travel", 0, 0.35, -0.05, 0.05, -60, 90)
+        x, y, z = point = (0.005, -0.01, 0.03)
+        rail, strut, crank = self.answer("evaluate", "--urdf", urdf, "--point", *point)["rho"]
+        self.assertAlmostEqual(math.hypot(x - 0.13, y, z - 0.3 - rail), 0.27, places=12)
+        along = [(math.cos(a), math.sin(a)) for a in (2 * math.pi / 3, 4 * math.pi / 3)]
+        foot = [0.06 * side for side in along[0]]
+        self.assertAlmostEqual(math.hypot(x - foot[0], y - foot[1], z - 0.3), 0.27 + strut, places=12)
+        down = math.radians(10) - crank
+        tip = [(0.06 + 0.09 * math.cos(down)) * side for side in along[1]]
+        self.assertAlmostEqual(math.hypot(x - tip[0], y - tip[1], z - 0.3 + 0.09 * math.sin(down)), 0.27, places=12)
+
+    def test_templates_of_every_kind_are_machines(self):
+        for kind, unit in (("rail", "m"), ("telescope", "m"), ("crank", "rad")):
+            template = self.file("machine.yaml", self.text("urdf", "--template", "--kind", kind))
+            urdf = self.file("machine.urdf", self.text("urdf", "--from", template))
+            answer = self.answer("largest", "--urdf", urdf, "--psi", "auto", "--accuracy", 0.05)
+            self.assertEqual([row["unit"] for row in answer["joint_ranges"]], [unit] * 3)
+        for words, reason in ((("--template", "--kind", "rail", "crank", "crank"), "cannot be given together"),
+                              (("--template", "--crank", 1), "cannot be given together"),
+                              (("--template", "--kind", "cranks"), "--kind cranks: .*rail, telescope, crank"),
+                              (("--machine", "delta", "--rail-radius", 1), "no such dimension: --rail-radius"),
+                              (("--linear-delta", "--kind", "crank"), "leave --linear-delta or --kind out"),
+                              (("--machine", "delta", "--travel", 3, 2), "the lower end comes first")):
+            process = run("urdf", *words)
+            self.assertEqual(process.returncode, 2, words)
+            self.assertRegex(process.stderr, reason)
+
+    def test_dimensions_of_a_delta_and_a_tripod(self):
+        delta = self.machine("--machine", "delta", "--base-radius", 0.1, "--crank", 0.2, "--length", 0.4,
+                             "--platform-radius", 0.05, "--travel", -30, 60)
+        height = math.sqrt(0.4 ** 2 - 0.25 ** 2)
+        for rho in self.answer("evaluate", "--urdf", delta, "--point", 0, 0, -height)["rho"]:
+            self.assertAlmostEqual(rho, 0, places=12)
+        limits = ElementTree.parse(delta).getroot().find("joint[@name='crank_1']/limit")
+        self.assertAlmostEqual(float(limits.get("upper")), math.pi / 3, places=12)
+        tripod = self.machine("--machine", "tripod", "--base-radius", 0.5, "--length", 0.6, "--platform-radius", 0.2)
+        for rho in self.answer("evaluate", "--urdf", tripod, "--point", 0, 0, 0.4)["rho"]:
+            self.assertAlmostEqual(rho, -0.1, places=12)
 
     def test_x_and_y_say_the_same_as_angle_and_radius(self):
         places = [(0.2 * math.cos(a), 0.2 * math.sin(a)) for a in (0.1, 2.2, 4.1)]

@@ -48,19 +48,12 @@ inline Machine cone()
   return Machine("cone", legs, Eigen::Vector3d(0.0, 0.0, -0.8));
 }
 
-/// A slider along x, a telescopic strut along y and a crank whose forearm is along z, all at the origin.
+/// One leg of each kind, with other limits.
 inline Machine mixed()
 {
-  Machine::Legs legs = orthoglide().legs();
-  TelescopicStrut strut;
-  strut.foot = { 0.0, -1.0, 0.0 };
-  legs[1] = { "strut_y", Interval(-0.5, 0.5), strut };
-  Crank crank;
-  crank.pivot = { -0.5, 0.0, -1.0 };
-  crank.along = { 1.0, 0.0, 0.0 };
-  crank.across = { 0.0, 0.0, 1.0 };
-  crank.radius = 0.5;
-  legs[2] = { "crank_z", Interval(-1.2, 1.2), crank };
+  Machine::Legs legs = mixedLegs().legs();
+  legs[0].limits = Interval::entire();
+  legs[1].limits = Interval(-0.5, 0.5);
   return Machine("mixed", legs, Eigen::Vector3d::Zero());
 }
 

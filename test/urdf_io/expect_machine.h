@@ -3,22 +3,52 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "pkm_workspace/machine/machine.h"
 
 namespace pkm_workspace
 {
 namespace test
 {
+/// The numbers of a leg.
+inline std::vector<Interval> numbersOf(const SlidingStrut& leg)
+{
+  return { leg.origin[0],
+           leg.origin[1],
+           leg.origin[2],
+           leg.axis[0],
+           leg.axis[1],
+           leg.axis[2],
+           leg.platform[0],
+           leg.platform[1],
+           leg.platform[2],
+           leg.length,
+           Interval(leg.working_mode) };
+}
+inline std::vector<Interval> numbersOf(const TelescopicStrut& leg)
+{
+  return { leg.foot[0], leg.foot[1], leg.foot[2], leg.platform[0], leg.platform[1], leg.platform[2], leg.length };
+}
+inline std::vector<Interval> numbersOf(const Crank& leg)
+{
+  return { leg.pivot[0],    leg.pivot[1],    leg.pivot[2],  leg.along[0],  leg.along[1],
+           leg.along[2],    leg.across[0],   leg.across[1], leg.across[2], leg.platform[0],
+           leg.platform[1], leg.platform[2], leg.radius,    leg.length,    Interval(leg.working_mode) };
+}
+inline std::vector<Interval> numbersOf(const Leg& leg)
+{
+  return visitLeg([](const auto& kind) { return numbersOf(kind); }, leg.kind);
+}
+
 /// Expects the same numbers, bit for bit, in everything but names and limits.
 inline void expectSameGeometry(const Machine& a, const Machine& b)
 {
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_EQ(slidingStrut(a.leg(i)).origin, slidingStrut(b.leg(i)).origin) << "leg " << i;
-    EXPECT_EQ(slidingStrut(a.leg(i)).axis, slidingStrut(b.leg(i)).axis) << "leg " << i;
-    EXPECT_EQ(slidingStrut(a.leg(i)).platform, slidingStrut(b.leg(i)).platform) << "leg " << i;
-    EXPECT_EQ(slidingStrut(a.leg(i)).length, slidingStrut(b.leg(i)).length) << "leg " << i;
-    EXPECT_EQ(slidingStrut(a.leg(i)).working_mode, slidingStrut(b.leg(i)).working_mode) << "leg " << i;
+    ASSERT_EQ(a.leg(i).kind.index(), b.leg(i).kind.index());
+    EXPECT_EQ(numbersOf(a.leg(i)), numbersOf(b.leg(i))) << "leg " << i;
   }
   EXPECT_EQ(a.aspect(), b.aspect());
 }
@@ -28,11 +58,10 @@ inline void expectOverlap(const Machine& a, const Machine& b)
 {
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).origin, slidingStrut(b.leg(i)).origin)) << "leg " << i;
-    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).axis, slidingStrut(b.leg(i)).axis)) << "leg " << i;
-    EXPECT_TRUE(intersects(slidingStrut(a.leg(i)).platform, slidingStrut(b.leg(i)).platform)) << "leg " << i;
-    EXPECT_TRUE(slidingStrut(a.leg(i)).length.intersects(slidingStrut(b.leg(i)).length)) << "leg " << i;
-    EXPECT_EQ(slidingStrut(a.leg(i)).working_mode, slidingStrut(b.leg(i)).working_mode) << "leg " << i;
+    ASSERT_EQ(a.leg(i).kind.index(), b.leg(i).kind.index());
+    const auto first = numbersOf(a.leg(i)), second = numbersOf(b.leg(i));
+    for (std::size_t k = 0; k < first.size(); ++k)
+      EXPECT_TRUE(first[k].intersects(second[k])) << "leg " << i << ", number " << k << ": " << first[k] << second[k];
   }
   EXPECT_EQ(a.aspect(), b.aspect());
 }
@@ -42,12 +71,8 @@ inline double widest(const Machine& machine)
 {
   double width = 0.0;
   for (const Leg& leg : machine.legs())
-  {
-    width = std::max(width, slidingStrut(leg).length.width());
-    for (const auto* const vector : { &slidingStrut(leg).origin, &slidingStrut(leg).axis, &slidingStrut(leg).platform })
-      for (const Interval& entry : *vector)
-        width = std::max(width, entry.width());
-  }
+    for (const Interval& number : numbersOf(leg))
+      width = std::max(width, number.width());
   return width;
 }
 }  // namespace test

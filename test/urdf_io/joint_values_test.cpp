@@ -95,6 +95,37 @@ TEST(JointValues, closeTheLoopsOfEveryFormOfLeg)
 {
   for (const char* name : { "delta", "tripod", "mixed_legs" })
     expectClosedAround(readWholeFile(PKM_WORKSPACE_SOURCE_DIR "/urdf/" + std::string(name) + ".urdf", 1000000));
+  for (unsigned seed = 1; seed < 20; ++seed)
+  {
+    Machine::Legs legs = crookedMix(seed).legs();
+    std::get<Crank>(legs[2].kind).drive_scale = 0.0;
+    expectClosedAround(writeUrdf(Machine("mix", legs, crookedMix(seed).zero())));
+  }
+}
+
+TEST(JointValues, closeTheLoopsOfMeasuredLegsOfEveryForm)
+{
+  MachineDescription machine;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    LegDescription& leg = machine.legs[i];
+    leg.kind = static_cast<LegDescription::Kind>(i);
+    leg.joint = "drive_" + std::to_string(i);
+    leg.angle = 2.1 * static_cast<double>(i);
+    leg.radius = i == 2 ? 0.05 : 0.13;
+    leg.height = 0.01 * static_cast<double>(i);
+    leg.length = 0.27;
+    leg.platform_joint = { 0.03, 0.01, -0.02 };
+    leg.lower = -0.1;
+    leg.upper = 0.1;
+  }
+  machine.legs[2].crank = 0.1;
+  for (const double lean : { 0.0, 0.3 })
+  {
+    machine.legs[2].axis_lean = lean;
+    machine.legs[2].crank_zero = 2.0 * lean;
+    expectClosedAround(writeUrdf(machine));
+  }
 }
 
 TEST(JointValues, closeTheLoopsOnATurnedMount)

@@ -86,19 +86,19 @@ TEST(LegForms, legsMayBeMixed)
 TEST(LegForms, whatIsNeitherIsRefusedWithTheJoint)
 {
   const std::string crank = urdfOf("delta"), strut = urdfOf("tripod");
-  expectLegRefused(withJoint(crank, "elbow_2", "multiplier=\"-1\"", "multiplier=\"-2\""),
-                   "joint 'elbow_2' follows the crank 'crank_2' with multiplier -2 and offset 0, expected -1 and 0");
-  expectLegRefused(withJoint(crank, "elbow_2", "axis xyz=\"0 1 0\"", "axis xyz=\"0 1 0.01\""),
-                   "joint 'elbow_2' follows the crank 'crank_2' about another axis; expected one that is parallel");
-  expectLegRefused(withJoint(crank, "elbow_2", "<mimic joint=\"crank_2\" multiplier=\"-1\"/>", ""),
-                   "2 prismatic joints and cranks \\('crank_1', 'crank_3'\\)");
-  const std::string folded = withJoint(crank, "elbow_2", "xyz=\"0.524 0 0\"", "xyz=\"0 0 0\"");
-  expectLegRefused(withJoint(folded, "crank_2", "xyz=\"0 0 0\"", "xyz=\"0.524 0 0\""),
-                   "crank 'crank_2': its elbow is .* m from its axis, expected more");
-  expectLegRefused(withJoint(strut, "strut_joint_1", "axis xyz=\"-0.5 0 ", "axis xyz=\"-0.4 0 "),
-                   "joint 'strut_joint_1' has to lengthen its strut: its axis is .* rad off the strut");
-  expectLegRefused(withJoint(strut, "strut_joint_1", "axis xyz=\"-0.5 0 ", "axis xyz=\"0.5 0 -"),
-                   "joint 'strut_joint_1' has to lengthen its strut: .* and to point to the platform");
+  expectLegRefused(withJoint(crank, "elbow_1", "multiplier=\"-1\"", "multiplier=\"-2\""),
+                   "joint 'elbow_1' follows the crank 'crank_1' with multiplier -2 and offset 0, expected -1 and 0");
+  expectLegRefused(withJoint(crank, "elbow_1", "axis xyz=\"0 1 0\"", "axis xyz=\"0 1 0.01\""),
+                   "joint 'elbow_1' follows the crank 'crank_1' about another axis; expected one that is parallel");
+  expectLegRefused(withJoint(crank, "elbow_1", "<mimic joint=\"crank_1\" multiplier=\"-1\"/>", ""),
+                   "2 prismatic joints and cranks \\('crank_2', 'crank_3'\\)");
+  const std::string folded = withJoint(crank, "elbow_1", "xyz=\"0.524 0 0\"", "xyz=\"0 0 0\"");
+  expectLegRefused(withJoint(folded, "crank_1", "xyz=\"0.164 0 0\"", "xyz=\"0.688 0 0\""),
+                   "crank 'crank_1': its elbow is .* m from its axis, expected more");
+  expectLegRefused(withJoint(strut, "strut_1", "axis xyz=\"-0.4 0 ", "axis xyz=\"-0.3 0 "),
+                   "joint 'strut_1' has to lengthen its strut: its axis is .* rad off the strut");
+  expectLegRefused(withJoint(strut, "strut_1", "axis xyz=\"-0.4 0 ", "axis xyz=\"0.4 0 -"),
+                   "joint 'strut_1' has to lengthen its strut: .* and to point to the platform");
 }
 
 TEST(LegForms, limitsOfElbowsAreNotPassedOver)
@@ -124,19 +124,21 @@ TEST(LegForms, aCrankMayTurnAllAround)
 TEST(LegForms, hingesThatFollowADriveAreRefused)
 {
   const std::string free = urdfOf("delta");
-  const std::string driven = withJoint(free, "swing_2", "<axis", "<mimic joint=\"crank_1\"/><axis");
-  expectLegRefused(driven, "joint 'swing_2' follows 'crank_1', which drives a leg");
+  const std::string driven = withJoint(free, "revolute_2", "<axis", "<mimic joint=\"crank_1\"/><axis");
+  expectLegRefused(driven, "joint 'revolute_2' follows 'crank_1', which drives a leg");
 }
 
 TEST(LegForms, limitsOfPassiveJointsAreRefusedByNameWhenAsked)
 {
-  const std::string limited = withJoint(withJoint(urdfOf("delta"), "swing_2", "continuous", "revolute"), "swing_2",
-                                        "<axis", "<limit lower=\"-1\" upper=\"1\" velocity=\"1\" effort=\"1\"/><axis");
+  const std::string limited =
+      withJoint(withJoint(urdfOf("delta"), "revolute_2", "continuous", "revolute"), "revolute_2", "<axis",
+                "<limit lower=\"-1\" upper=\"1\" velocity=\"1\" effort=\"1\"/><axis");
   const Machine machine = readUrdf(limited).machine;
   ASSERT_TRUE(machine.hasHingeLimits());
-  EXPECT_EQ(passiveJoints(machine.leg(1)).open_hinges[0],
-            "joint 'swing_2' is a passive joint of a forearm, whose limits are not known as planes; those of struts on "
-            "sliders are");
+  EXPECT_EQ(
+      passiveJoints(machine.leg(1)).open_hinges[0],
+      "joint 'revolute_2' is a passive joint of a forearm, whose limits are not known as planes; those of struts on "
+      "sliders are");
 }
 }  // namespace test
 }  // namespace pkm_workspace

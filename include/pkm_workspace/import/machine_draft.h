@@ -19,18 +19,31 @@ struct DraftKey
   {
     LENGTH,  ///< in the draft's unit
     ANGLE,   ///< in degrees
-    SPEED,   ///< in m/s, > 0
-    FORCE,   ///< in N, > 0
+    JOINT,   ///< a joint value: in the draft's unit, of a crank in degrees
+    SPEED,   ///< in m/s or rad/s, > 0
+    FORCE,   ///< in N or N m, > 0
     SIGN,    ///< -1 or 1
-    SIDE,    ///< "lower" or "upper"
+    WORD,    ///< one of `values`
     NAME
+  };
+  /// Kinds of legs that have it.
+  enum Legs : unsigned
+  {
+    RAIL = 1,
+    TELESCOPE = 2,
+    CRANK = 4,
+    ALL = 7
   };
   const char* name;
   Kind kind;
   std::size_t size;    ///< how many values it takes
-  const char* values;  ///< what they are called: "OUT SIDE UP"
+  const char* values;  ///< what they are called, "OUT SIDE UP", or which there are, "lower|upper"
   const char* help;    ///< what it is, and what follows without it
+  unsigned legs = ALL;
 };
+
+/// The names of the kinds of legs, in the order of LegDescription::Kind.
+extern const std::array<const char*, 3> LEG_KINDS;
 
 /// Of each leg, and of the machine.
 const std::vector<DraftKey>& legKeys();
@@ -43,14 +56,23 @@ class MachineDraft
 public:
   using Texts = std::vector<std::string>;
 
+  /// As somebody said it.
+  struct Given
+  {
+    Texts texts;
+    std::string place;
+    bool is_shared = true;
+  };
+
   /// "m" or "mm": what all lengths are in.
   std::string unit = "m";
   /// The machine's name.
   std::string name = "machine";
 
   /// Gives a value to leg 0, 1 or 2. @param place where it was said, for refusals: "--length", "machine.yaml:12"
+  /// @param is_shared whether it was said of all legs: then it does not count for those of another kind
   /// @pre as many texts as the key takes
-  void setLeg(std::size_t leg, const DraftKey& key, const Texts& texts, const std::string& place);
+  void setLeg(std::size_t leg, const DraftKey& key, const Texts& texts, const std::string& place, bool is_shared);
   void setMachine(const DraftKey& key, const Texts& texts, const std::string& place);
   bool isEmpty() const;
 
@@ -58,11 +80,6 @@ public:
   MachineDescription finished() const;
 
 private:
-  struct Given
-  {
-    Texts texts;
-    std::string place;
-  };
   using Values = std::map<std::string, Given>;
   class Reader;
 

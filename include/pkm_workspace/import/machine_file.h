@@ -7,8 +7,8 @@
 
 namespace pkm_workspace
 {
-/// A machine file to fill in, in YAML, with comments; it describes a calibrated linear delta as it stands.
-std::string machineFileTemplate();
+/// A machine file to fill in, in YAML, with comments: as it stands a calibrated linear delta, a tripod or a Delta.
+std::string machineFileTemplate(LegDescription::Kind kind = LegDescription::Kind::RAIL);
 
 /// Reads a machine from the text of such a file: its keys are legKeys() and machineKeys() (import/machine_draft.h).
 /// @param name of the file, for places

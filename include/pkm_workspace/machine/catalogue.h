@@ -26,10 +26,11 @@ Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, do
 /// the platform.
 struct DeltaDimensions
 {
-  double base_radius = 0.164;      ///< of the circle that the cranks' axes touch
-  double crank = 0.524;            ///< r: from its axis to the forearm
-  double forearm = 1.244;          ///< L
-  double platform_radius = 0.044;  ///< of the circle of the forearms' lower ends
+  double base_radius = 0.164;            ///< of the circle that the cranks' axes touch
+  double crank = 0.524;                  ///< r: from its axis to the forearm
+  double forearm = 1.244;                ///< L
+  double platform_radius = 0.044;        ///< of the circle of the forearms' lower ends
+  Interval limits = Interval::entire();  ///< of the joints [rad]; none: they turn all around
 };
 
 /// A rotary Delta (R. Clavel), hanging: cranks at 0 and +-120 degrees, level and outward at joint value 0, which turns
@@ -44,12 +45,16 @@ struct TripodDimensions
   double base_radius = 0.5;      ///< of the circle of the feet, in the plane z = 0
   double platform_radius = 0.1;  ///< of the circle of the struts' upper ends
   double length = 0.8;           ///< of the struts at joint value 0
-  double stroke = 0.6;           ///< joint limits: half of it either way
+  Interval limits{ -0.3, 0.3 };  ///< of the joints
 };
 
 /// A tripod with feet at 0 and +-120 degrees, standing: its platform is kept from turning, and above.
 /// @throws std::invalid_argument where a number is not from 1e-9 m to 1e9 m, or the struts do not reach at zero
 Machine tripod(const TripodDimensions& dimensions = {});
+
+/// One leg of each kind, on paper only: a slider along x, a strut of variable length along y, and a crank of 0.5 m
+/// whose forearm stands along z. All struts are 1 m long and meet at the origin, isotropic there but for the units.
+Machine mixedLegs();
 
 /// R = 7/13 and r = 3/26 for L = 1, the dimensions of the paper's section 4.3.
 Machine uranesx();
