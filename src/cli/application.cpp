@@ -46,7 +46,7 @@ const NamedCommand COMMANDS[] = {
   { "tolerate", "how exactly a machine has to be built for a region", makeTolerate },
   { "conditioning", "the global conditioning index of a region or of the whole set", makeConditioning },
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
-  { "import", "the URDF of a linear delta from the configuration of its controller", makeImport },
+  { "import", "the URDF of a delta from the configuration of its controller", makeImport },
   { "export", "a proved region as limits for the configuration of a controller", makeExport },
 };
 

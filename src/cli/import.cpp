@@ -50,9 +50,12 @@ class Import : public Command
 public:
   std::string description() const override
   {
-    return "Writes the URDF of a linear delta that the configuration of its controller describes (Klipper, Marlin, "
-           "RepRapFirmware, LinuxCNC), to standard output or to a file. Joint values of the URDF are the controller's "
-           "own, in metres. What was taken of the file, and what was left aside and why, is listed on standard error; "
+    return "Writes the URDF of a delta that the configuration of its controller describes: a linear one (Klipper, "
+           "Marlin, "
+           "RepRapFirmware, LinuxCNC) or a rotary one (LinuxCNC, grblHAL), to standard output or to a file. Joint "
+           "values "
+           "of the URDF are the controller's own, in metres or radians. What was taken of the file, and what was left "
+           "aside and why, is listed on standard error; "
            "with --output or --json it is part of the answer. What each format means: docs/firmware.md.";
   }
 

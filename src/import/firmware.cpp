@@ -19,11 +19,13 @@ namespace
 constexpr std::size_t LARGEST_FIRMWARE = std::size_t(16) << 20;  ///< [bytes]
 
 constexpr Format FORMATS[] = {
-  { "klipper", "Klipper's printer.cfg", isKlipper, readKlipper },
-  { "marlin", "Marlin's Configuration.h", isMarlin, readMarlin },
-  { "marlin-report", "Marlin's answer to M503 or M665", isMarlinReport, readMarlinReport },
-  { "reprapfirmware", "RepRapFirmware's config.g or config-override.g", isRepRapFirmware, readRepRapFirmware },
-  { "linuxcnc", "the INI file of LinuxCNC's lineardeltakins", isLinuxCnc, readLinuxCnc },
+  { "klipper", "Klipper's printer.cfg", isKlipper, readAs<LinearDelta, readKlipper> },
+  { "marlin", "Marlin's Configuration.h", isMarlin, readAs<LinearDelta, readMarlin> },
+  { "marlin-report", "Marlin's answer to M503 or M665", isMarlinReport, readAs<LinearDelta, readMarlinReport> },
+  { "reprapfirmware", "RepRapFirmware's config.g or config-override.g", isRepRapFirmware,
+    readAs<LinearDelta, readRepRapFirmware> },
+  { "linuxcnc", "the INI file of LinuxCNC's lineardeltakins or rotarydeltakins", isLinuxCnc, readLinuxCnc },
+  { "grblhal", "grblHAL's answer to $$, of a rotary delta", isGrblHal, readAs<RotaryDelta, readGrblHal> },
 };
 
 std::string titles()
@@ -96,12 +98,8 @@ FirmwareMachine importFirmware(const FirmwareText& text, const std::string& form
   const firmware::Source source = { text, firmware::sourceLines(text.name, text.content, reading.problems) };
   throwProblems(reading.problems);
   const firmware::Format& used = format.empty() ? firmware::recognised(source) : firmware::formatNamed(format);
-  firmware::LinearDelta delta;
-  used.read(source, reading, delta);
-  firmware::checkDelta(delta, reading);
-  throwProblems(reading.problems);
-  const std::string name = std::string(used.name) + "_delta";
-  return { used.name, firmware::describe(delta, name), reading.taken, reading.left_aside };
+  const MachineDescription machine = used.read(source, reading, std::string(used.name) + "_delta");
+  return { used.name, machine, reading.taken, reading.left_aside };
 }
 
 FirmwareMachine importFirmwareFile(const std::string& path, const std::string& format)

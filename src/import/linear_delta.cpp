@@ -16,12 +16,6 @@ constexpr double LEAST_ANGLE = 1.0;  ///< between two towers [degrees]
 constexpr double HAIR = 1e-9;        ///< more than roots in floating point miss [m]
 constexpr int MICROMETRES = 6;
 
-const Decimal& radianOfDegree()
-{
-  static const Decimal radian = *Decimal::parse("0.017453292519943295769236907684886127134");
-  return radian;
-}
-
 /// Between two directions, from 0 to 180 [degrees].
 double angleBetween(const Decimal& a, const Decimal& b)
 {
@@ -100,6 +94,12 @@ std::optional<Mount> mountOn(const Decimal& slope_x, const Decimal& slope_y)
   return mount;
 }
 }  // namespace
+
+const Decimal& radianOfDegree()
+{
+  static const Decimal radian = *Decimal::parse("0.017453292519943295769236907684886127134");
+  return radian;
+}
 
 void checkDelta(const LinearDelta& delta, Reading& reading)
 {

@@ -38,6 +38,9 @@ struct LinearDelta
   Decimal slope_y;
 };
 
+/// A degree in radians.
+const Decimal& radianOfDegree();
+
 /// Looks at what no value shows by itself: arms that are too short, towers that stand in one place, no travel.
 void checkDelta(const LinearDelta& delta, Reading& reading);
 

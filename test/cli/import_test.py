@@ -13,7 +13,7 @@ from pkm import DATA, ORTHOGLIDE, CommandTest, run
 FIRMWARE = DATA / "firmware"
 SEED = 20261127
 FILES = {"klipper": "klipper.cfg", "marlin": "marlin_configuration.txt", "marlin-report": "marlin_report.txt",
-         "reprapfirmware": "config.g", "linuxcnc": "ldelta.ini"}
+         "reprapfirmware": "config.g", "linuxcnc": "ldelta.ini", "grblhal": "grblhal.txt"}
 
 
 def carriages(towers, point):
@@ -48,6 +48,29 @@ class Import(CommandTest):
             for point, there in zip(points, found):
                 for joint, wanted in zip(there["rho"], carriages(towers, point)):
                     self.assertAlmostEqual(joint, wanted / 1000, delta=1e-9, msg=f"{name}, seed {SEED}, {point}")
+
+    def test_rotary_deltas_have_their_cranks_where_the_controller_has_them(self):
+        """From the geometry: the forearm is as long as the controller says, and the elbow is out."""
+        def span(angle, leg, point, base, crank, platform):
+            direction = math.radians(leg)
+            out = base + crank * math.cos(angle) - platform
+            elbow = (out * math.cos(direction), out * math.sin(direction), -crank * math.sin(angle))
+            return math.dist(elbow, [c / 1000 for c in point])
+
+        side = 1 / math.sqrt(12)  # radius of the circle within a triangle
+        for file, base, crank, forearm, platform in (
+                ("rdelta.ini", 0.10025, 0.15, 0.3505, 0.0455),
+                ("grblhal.txt", 0.1875 * side, 0.102, 0.3105, 0.06225 * side)):
+            path = self.folder / "rotary.urdf"
+            self.answer("import", FIRMWARE / file, "--output", path)
+            for point in ((0, 0, -300), (60, -30, -260), (-40, 50, -320)):
+                rho = self.answer("evaluate", "--urdf", path, "--point", *(c / 1000 for c in point))["rho"]
+                for angle, leg in zip(rho, (270, 30, 150)):
+                    self.assertAlmostEqual(span(angle, leg, point, base, crank, platform), forearm, delta=1e-12)
+                    self.assertLess(abs(angle), 1.7)
+            answer = self.answer("largest", "--urdf", path, "--psi", "auto", "--accuracy", 0.005)
+            self.assertEqual([row["unit"] for row in answer["joint_ranges"]], ["rad"] * 3)
+            self.assertGreater(answer["size"], 0.05)
 
     def test_a_sloping_bed_is_level_in_the_world(self):
         path, answer = self.urdf("reprapfirmware")

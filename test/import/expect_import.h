@@ -92,6 +92,34 @@ inline Machine machineOf(MachineDescription description)
 /// Carriages for a tool at (x, y, z), in millimetres, as a firmware has them.
 using Carriages = std::function<std::array<double, 3>(double x, double y, double z)>;
 
+/// Cranks for a tool at (x, y, z) [mm], in radians, as a firmware has them; not finite where it is out of reach.
+using Cranks = std::function<std::array<double, 3>(double x, double y, double z)>;
+
+/// Holds the machine against the firmware's own formula at 1000 points that it reaches within @p radius of the middle,
+/// and between these heights [mm].
+inline void expectSameCranks(const MachineDescription& description, double radius, double lowest, double highest,
+                             const Cranks& firmware)
+{
+  const Machine machine = machineOf(description);
+  Random random(SEED);
+  int reached = 0;
+  for (int k = 0; reached < 1000 && k < 5000; ++k)
+  {
+    const double x = random.uniform(-radius, radius);
+    const double y = random.uniform(-radius, radius);
+    const double z = random.uniform(lowest, highest);
+    const std::array<double, 3> wanted = firmware(x, y, z);
+    const auto angles = inverseKinematics(machine, Eigen::Vector3d(x, y, z) * 1e-3);
+    const bool reaches = std::isfinite(wanted[0] + wanted[1] + wanted[2]);
+    ASSERT_EQ(reaches, angles.has_value()) << "seed " << SEED << ", point " << k;
+    reached += reaches ? 1 : 0;
+    for (int i = 0; angles && i < 3; ++i)
+      EXPECT_NEAR(std::remainder((*angles)[i] - wanted[static_cast<std::size_t>(i)], 2.0 * M_PI), 0.0, 1e-9)
+          << "seed " << SEED << ", point " << k;
+  }
+  EXPECT_EQ(reached, 1000);
+}
+
 /// Holds the machine against the firmware's own formula at 1000 points within @p radius of the middle [mm].
 inline void expectSameKinematics(const MachineDescription& description, double radius, const Carriages& firmware)
 {

@@ -9,8 +9,9 @@ namespace test
 {
 namespace
 {
-const char* const SAMPLES[] = { "klipper.cfg", "marlin_configuration.txt", "marlin_report.txt", "config.g",
-                                "ldelta.ini" };
+const char* const SAMPLES[] = {
+  "klipper.cfg", "marlin_configuration.txt", "marlin_report.txt", "config.g", "ldelta.ini", "rdelta.ini", "grblhal.txt"
+};
 
 /// The text with a few bytes, words or lines changed, as an editor or a bad line would.
 std::string spoilt(std::string text, Random& random)
@@ -35,8 +36,9 @@ void expectMachine(const FirmwareMachine& machine)
 {
   for (const LegDescription& leg : machine.machine.legs)
   {
-    EXPECT_GT(leg.length, leg.radius);
-    EXPECT_GT(leg.radius, 0.0);
+    const bool is_rail = leg.kind == LegDescription::Kind::RAIL;
+    EXPECT_GT(leg.length, is_rail ? leg.radius : leg.radius + leg.crank - leg.platform_joint.x());
+    EXPECT_TRUE(is_rail ? leg.radius > 0.0 : leg.radius >= 0.0 && leg.crank > 0.0);
     EXPECT_LT(leg.lower, leg.upper);
     EXPECT_TRUE(std::isfinite(leg.angle) && std::isfinite(leg.height));
   }

@@ -138,7 +138,7 @@ TEST(LinuxCnc, TellsWhatItTookAndWhatNot)
   const FirmwareMachine machine = importedWith(ini(), sample("ldelta.hal"));
   EXPECT_EQ(meaningOf(machine, "lineardeltakins.R"), "radius, across from effector joint to carriage joint: 0.13025 m");
   EXPECT_EQ(machine.taken.at(2).place.file, "ldelta.hal");
-  EXPECT_EQ(reasonFor(machine, "AXIS_Z MIN_LIMIT"), "a limit of the tool, not of a carriage");
+  EXPECT_EQ(reasonFor(machine, "AXIS_Z MIN_LIMIT"), "a limit of the tool, not of a joint");
   EXPECT_NE(reasonFor(machine, "JOINT_0 HOME_OFFSET"), "");
   EXPECT_NE(reasonFor(machine, "[EMC]"), "");
   EXPECT_NE(reasonFor(machine, "HAL HALFILE"), "");
@@ -148,9 +148,10 @@ TEST(LinuxCnc, MalformedIniFilesAreRefused)
 {
   expectIniEditsRefused({
       { "= lineardeltakins", "= trivkins",
-        "ini:16: KINS KINEMATICS = 'trivkins' is not a linear delta; allowed: linear" },
-      { "= lineardeltakins", "= rotarydeltakins", "'rotarydeltakins' is not a linear delta" },
-      { "KINEMATICS = lineardeltakins\n", "", "\\[KINS\\] KINEMATICS is missing; expected lineardeltakins" },
+        "ini:16: KINS KINEMATICS = 'trivkins' is not a delta; allowed: lineardeltakins, rotarydeltakins" },
+      { "= lineardeltakins", "= rotarydeltakins", "JOINT_0 MAX_LIMIT = '540.5' degrees is out of range" },
+      { "KINEMATICS = lineardeltakins\n", "",
+        "\\[KINS\\] KINEMATICS is missing; expected lineardeltakins or rotarydeltakins" },
       { "LINEAR_UNITS = mm\n", "", "\\[TRAJ\\] LINEAR_UNITS is missing; expected mm or inch" },
       { "LINEAR_UNITS = mm", "LINEAR_UNITS = furlong", "'furlong' is not a unit; allowed: mm, inch" },
       { "[KINS]", "[KINS", "ini:15: '\\[KINS' begins a section that has no name or no end" },

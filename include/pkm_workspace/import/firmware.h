@@ -37,11 +37,11 @@ struct LeftAside
   std::string reason;
 };
 
-/// A linear delta as the configuration of its controller describes it.
+/// A linear or rotary delta as the configuration of its controller describes it.
 struct FirmwareMachine
 {
   std::string format;          ///< one of firmwareFormats()
-  MachineDescription machine;  ///< joint values are the controller's own, in metres: docs/firmware.md
+  MachineDescription machine;  ///< joint values are the controller's own [m, rad]: docs/firmware.md
   std::vector<TakenValue> taken;
   std::vector<LeftAside> left_aside;
 };
@@ -58,7 +58,7 @@ struct FirmwareText
 /// Names of the formats that are known.
 std::vector<std::string> firmwareFormats();
 
-/// Reads the geometry of a linear delta from the configuration of its controller (docs/firmware.md).
+/// Reads the geometry of a linear or rotary delta from the configuration of its controller (docs/firmware.md).
 /// @param format one of firmwareFormats(); empty: recognised from the text
 /// @throws std::invalid_argument naming everything that is wrong at once, each with file and line, value, unit, allowed
 /// range and remedy
