@@ -12,6 +12,7 @@ REACH = FILLED * math.tan(0.5 * VIEW_ANGLE)  # from the middle of the picture, a
 USUAL_YAW = 0.92  # [rad]
 CELLS = 10  # of a grid, along the machine's size, at least
 MOST_STROKE = 0.5  # of the length of a branch
+MOST_TURN = 1.0  # of a crank, either way [rad]
 
 
 def numbers(text):
@@ -69,13 +70,13 @@ def root_of(urdf):
     return next(link.get("name") for link in robot.findall("link") if link.get("name") not in children)
 
 
-def stroke_of(joint, length):
-    """How far a branch of that length goes below and above joint value 0 in the picture [m]: as its limits let it, but
-    for a rail that is much longer than that."""
+def stroke_of(joint, most):
+    """How far it goes below and above joint value 0 in the picture [m, rad]: as its limits let it, but no farther than
+    that."""
     limit = joint.find("limit")
     for name, side in (("lower", -1.0), ("upper", 1.0)):
         wanted = side * float(limit.get(name, 0.0)) if limit is not None else 0.0
-        yield side * min(max(wanted, 0.0), MOST_STROKE * length)
+        yield side * min(max(wanted, 0.0), most)
 
 
 def axis_of(joint):
@@ -85,6 +86,33 @@ def axis_of(joint):
     vector = numbers(axis.get("xyz"))
     length = math.hypot(*vector)
     return [x / length for x in vector]
+
+
+def turned_about(axis, angle, vector):
+    """The vector turned about a unit vector (Rodrigues)."""
+    along = dot(axis, vector)
+    across = [axis[1] * vector[2] - axis[2] * vector[1], axis[2] * vector[0] - axis[0] * vector[2],
+              axis[0] * vector[1] - axis[1] * vector[0]]
+    return [math.cos(angle) * v + math.sin(angle) * c + (1.0 - math.cos(angle)) * along * a
+            for v, c, a in zip(vector, across, axis)]
+
+
+def slide(joint, start, end):
+    """Where a branch's tip goes with its rail, or with a strut that gets longer: a function of the tip."""
+    def places(tip):
+        return [tuple(t + stroke * (e - s) for t, e, s in zip(tip, end, start))
+                for stroke in stroke_of(joint, MOST_STROKE * math.dist(start, tip))]
+    return places
+
+
+def swing(joint, pivot, end, elbow):
+    """The same with a crank that turns about the line from pivot to end."""
+    axis, arm = ([b - a for a, b in zip(pivot, point)] for point in (end, elbow))
+
+    def places(tip):
+        ways = [[a - b for a, b in zip(turned_about(axis, angle, arm), arm)] for angle in stroke_of(joint, MOST_TURN)]
+        return [tuple(p + w for p, w in zip(point, way)) for way in ways for point in (tip, elbow)]
+    return places
 
 
 class Walk:
@@ -101,25 +129,31 @@ class Walk:
         self.rails = []
         self.visit(root_of(urdf), moved(0.0, 0.0, 0.0), None)
 
-    def visit(self, name, place, rail):
-        """rail: the prismatic joint that moves this link, and two points of it; None: it stands still"""
+    def visit(self, name, place, moves):
+        """moves: where the joint that drives this link takes a tip; None: it stands still"""
         self.points += [applied(place, point) for point in looks_of(self.links[name])]
-        hanging = [joint for joint in self.joints if joint.find("parent").get("link") == name]
-        if rail:
+        hanging = self.hanging_at(name)
+        if moves:
             self.points.append(applied(place, (0.0, 0.0, 0.0)))
             if not hanging:
-                self.add_strokes(self.points[-1], *rail)
+                self.points += moves(self.points[-1])
         for joint in hanging:
             at = product(place, origin_of(joint))
-            moves = rail
-            if not rail and joint.get("type") == "prismatic":
-                moves = (joint, applied(at, (0.0, 0.0, 0.0)), applied(at, axis_of(joint)))
-                self.rails.append(moves[1:])
-            self.visit(joint.find("child").get("link"), at, moves)
+            self.visit(joint.find("child").get("link"), at, moves or self.moves_of(joint, at))
 
-    def add_strokes(self, tip, joint, start, end):
-        for stroke in stroke_of(joint, math.dist(start, tip)):
-            self.points.append(tuple(t + stroke * (e - s) for t, e, s in zip(tip, end, start)))
+    def hanging_at(self, name):
+        return [joint for joint in self.joints if joint.find("parent").get("link") == name]
+
+    def moves_of(self, joint, at):
+        line = applied(at, (0.0, 0.0, 0.0)), applied(at, axis_of(joint))
+        if joint.get("type") == "prismatic":
+            self.rails.append(line)
+            return slide(joint, *line)
+        for elbow in self.hanging_at(joint.find("child").get("link")):
+            mimic = elbow.find("mimic")
+            if mimic is not None and mimic.get("joint") == joint.get("name") and joint.find("mimic") is None:
+                return swing(joint, *line, applied(product(at, origin_of(elbow)), (0.0, 0.0, 0.0)))
+        return None
 
 
 def turned(quaternion, point):

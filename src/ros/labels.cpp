@@ -68,6 +68,18 @@ double highestSeen(const std::vector<Vector3d>& points, const Vector3d& center)
     highest = std::max(highest, point.z() + SLOPE * (point - center).head<2>().norm());
   return highest;
 }
+/// Where the label of a leg stands, seen from the end of what its joint moves: further on its way, of an arc to its
+/// outer side too; and from a foot, which stays, level and away from the region.
+Vector3d outwardsFrom(const Leg& leg, const Vector3d& end, const Vector3d& way, const Vector3d& center)
+{
+  if (const auto* const crank = std::get_if<Crank>(&leg.kind))
+    return 0.6 * (way.normalized() + (end - mid(crank->pivot)).normalized()).normalized();
+  if (!std::holds_alternative<TelescopicStrut>(leg.kind))
+    return way.normalized();
+  const Vector3d away = end - center;
+  const Vector3d level(away.x(), away.y(), 0.0);
+  return 1.4 * (level.norm() > 0.1 * away.norm() ? level : away).normalized();
+}
 }  // namespace
 
 Vector3d labelOf(const Box& box, const Machine& machine, double unit)
@@ -105,14 +117,15 @@ Vector3d LabelPlaces::labelOf(const Leg& leg, const Interval& drawn, const Inter
   const double reach = FAR * 1000.0 * unit_;
   const Interval near(std::max(leg.limits.lower(), range.lower() - reach),
                       std::min(leg.limits.upper(), range.upper() + reach));
-  const Interval rail = hull(drawn.isEmpty() ? near : drawn, range);
+  const Interval rail = hasAngle(leg) ? range : hull(drawn.isEmpty() ? near : drawn, range);
   const auto at = [&leg](double rho) { return drivenPoint(leg, rho); };
   const bool is_upper = (at(rail.upper()) - center_).norm() >= (at(rail.lower()) - center_).norm();
-  const Vector3d axis = (at(range.lower() + 1000.0 * unit_) - at(range.lower())).normalized();
-  const Vector3d outwards = is_upper ? axis : Vector3d(-axis);
-  const Vector3d end = at(is_upper ? rail.upper() : rail.lower());
+  const double last = is_upper ? rail.upper() : rail.lower(), step = hasAngle(leg) ? 1e-3 : 1000.0 * unit_;
+  const Vector3d end = at(last);
+  const Vector3d outwards = outwardsFrom(leg, end, end - at(is_upper ? last - step : last + step), center_);
   // two lines are as high as they are wide, nearly
-  const Vector3d label = end + 150.0 * unit_ * outwards + (1.0 - std::abs(axis.z())) * 60.0 * unit_ * Vector3d::UnitZ();
+  const Vector3d label =
+      end + 150.0 * unit_ * outwards + (1.0 - std::min(1.0, std::abs(outwards.z()))) * 60.0 * unit_ * Vector3d::UnitZ();
   for (const Vector3d& point :
        { at(rail.lower()), at(rail.upper()), Vector3d(label - 80.0 * unit_ * Vector3d::UnitZ()) })
     rail_ends_.push_back(point);

@@ -199,11 +199,12 @@ void addRegion(const Region& region, const LabelPlaces& places, Scene& scene)
   scene.addText("region", places.ofRegion(), nameOf(region) + turn);
 }
 
-void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& label, Scene& scene)
+void addJointRange(const RailRange& range, const Leg& leg, const Eigen::Vector3d& tool, const Eigen::Vector3d& label,
+                   Scene& scene)
 {
   Marker& bar = scene.add("joint_ranges", Marker::LINE_LIST, JOINT_RANGE);
   bar.scale.x = 20.0 * scene.unit();
-  addWay(leg, range.lower, range.upper, bar.points);
+  addWay(leg, range.lower, range.upper, tool, bar.points);
   scene.addText("joint_ranges", label,
                 range.joint + '\n' + digits(range.stroke_upper_bound, roundedUp) + " " + unitOf(leg));
 }
@@ -241,7 +242,8 @@ visualization_msgs::MarkerArray markersOf(const Region& region, const Premises& 
   if (set)
     set->addTo(scene, "paving_inside", "paving_boundary");
   for (std::size_t i = 0; i < region.joint_ranges.size(); ++i)
-    addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), places.ofRail(i), scene);
+    addJointRange(region.joint_ranges[i], machine.leg(static_cast<int>(i)), fromMessage(region.center),
+                  places.ofRail(i), scene);
   visualization_msgs::MarkerArray array = scene.array();
   if (set && set->isSolid())
     drawLinesOver(64.0 * scene.unit(), array);

@@ -97,14 +97,24 @@ std::string digits(double value, std::string (*rounded)(double, int))
   return text;
 }
 
-void addWay(const Leg& leg, double lower, double upper, std::vector<geometry_msgs::Point>& lines)
+Eigen::Vector3d movedPoint(const Leg& leg, double joint, const Eigen::Vector3d& tool)
+{
+  const Eigen::Vector3d place = drivenPoint(leg, joint);
+  const auto* const strut = std::get_if<TelescopicStrut>(&leg.kind);
+  if (strut == nullptr)
+    return place;
+  return place + (strut->length.mid() + joint) * (tool + mid(strut->platform) - place).normalized();
+}
+
+void addWay(const Leg& leg, double lower, double upper, const Eigen::Vector3d& tool,
+            std::vector<geometry_msgs::Point>& lines)
 {
   const int pieces = hasAngle(leg) ? PIECES_OF_ARC : 1;
   for (int k = 0; k < pieces; ++k)
     for (const int end : { k, k + 1 })
     {
       const double share = static_cast<double>(end) / pieces;
-      lines.push_back(toMessage(drivenPoint(leg, (1.0 - share) * lower + share * upper)));
+      lines.push_back(toMessage(movedPoint(leg, (1.0 - share) * lower + share * upper, tool)));
     }
 }
 }  // namespace pkm_workspace

@@ -42,9 +42,14 @@ private:
   visualization_msgs::MarkerArray array_;
 };
 
-/// Adds the way of what a leg's joint moves while it goes through these values, as a list of lines: one along a rail,
+/// What shows where a leg's joint is, with the tool at @p tool [m]: the slider, the tip of a crank, or of a strut of
+/// variable length the end of one that points to the platform and is as long.
+Eigen::Vector3d movedPoint(const Leg& leg, double joint, const Eigen::Vector3d& tool);
+
+/// Adds the way of that point while the joint goes through these values, as a list of lines: one along a rail or strut,
 /// an arc of some for a crank.
-void addWay(const Leg& leg, double lower, double upper, std::vector<geometry_msgs::Point>& lines);
+void addWay(const Leg& leg, double lower, double upper, const Eigen::Vector3d& tool,
+            std::vector<geometry_msgs::Point>& lines);
 
 /// A bound as people write it, 0.3: exactly where that is short, else in a few digits, rounded to the side on which it
 /// holds.

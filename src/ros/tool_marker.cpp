@@ -60,15 +60,18 @@ void addEllipsoid(const Jacobians& jacobians, const Eigen::Vector3d& point, cons
   marker.scale.z = sizes.z();
 }
 
-void addTravel(const Leg& leg, double rho, double reach, Scene& scene)
+/// As far as its limits let the point go that a joint moves, and no farther than @p reach [m].
+void addTravel(const Leg& leg, double rho, double reach, const Eigen::Vector3d& tool, Scene& scene)
 {
-  const double lower = std::max(leg.limits.lower(), rho - reach);
-  const double upper = std::min(leg.limits.upper(), rho + reach);
+  const auto* const crank = std::get_if<Crank>(&leg.kind);
+  const double most = crank ? std::min(M_PI, reach / crank->radius.mid()) : reach;
+  const double lower = std::max(leg.limits.lower(), rho - most);
+  const double upper = std::min(leg.limits.upper(), rho + most);
   Marker& rail = scene.add("travel", Marker::LINE_LIST, RAIL);
   rail.scale.x = 8.0 * scene.unit();
-  addWay(leg, lower, upper, rail.points);
+  addWay(leg, lower, upper, tool, rail.points);
   Marker& slider = scene.add("travel", Marker::SPHERE, SLIDER);
-  slider.pose.position = toMessage(drivenPoint(leg, rho));
+  slider.pose.position = toMessage(movedPoint(leg, rho, tool));
   slider.scale.x = slider.scale.y = slider.scale.z = 45.0 * scene.unit();
 }
 
@@ -87,7 +90,7 @@ visualization_msgs::MarkerArray toolMarkers(const Machine& machine, const Criter
     addEllipsoid(*matrices, tool.point, good ? colorOf(evaluate.test().margin(tool.point)) : TOOL_RED, scene);
   if (const auto rho = inverseKinematics(machine, tool.point))
     for (int i = 0; i < 3; ++i)
-      addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), scene);
+      addTravel(machine.leg(i), (*rho)[i], 0.6 * machine.scale(), tool.point, scene);
   const Eigen::Vector3d below = tool.point - 400.0 * scene.unit() * Eigen::Vector3d::UnitZ();
   if (good)
     scene.addText("nearest", below, "nearest limit: " + brief(there.binding(), machine), 0.75);

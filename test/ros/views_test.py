@@ -102,6 +102,13 @@ class ViewsTest(unittest.TestCase):
                               **percent("labels", 0.04, 1), **percent("region's edges", 0.05, 0.5),
                               **percent("joint ranges", 0.3, 1.5)})
 
+    def test_machines_with_other_legs(self):
+        """Cranks with their arcs, struts of variable length and one leg of each kind, with all labels in the picture."""
+        for machine, faces, ranges in (("delta", 1, 0.3), ("tripod", 0.03, 0.04), ("mixed_legs", 3, 0.1)):
+            with Launch(machine) as screen:
+                self.see(screen, {**WELL, **percent("region's faces", faces, 14), **percent("labels", 0.1, 1.5),
+                                  **percent("joint ranges", ranges, 2)})
+
     def test_tool_and_box_of_the_prototype(self):
         good = {**percent("green", 0.4, 2), **percent("red", 0, 0.4)}
         with Launch("prototype", view="interactive") as screen:
