@@ -103,7 +103,7 @@ class ViewsTest(unittest.TestCase):
                               **percent("joint ranges", 0.3, 1.5)})
 
     def test_machines_with_other_legs(self):
-        """Cranks with their arcs, struts of variable length and one leg of each kind, with all labels in the picture."""
+        """Cranks with their arcs, struts of variable length, one leg of each kind; all labels are in the picture."""
         for machine, faces, ranges in (("delta", 1, 0.3), ("tripod", 0.03, 0.04), ("mixed_legs", 3, 0.1)):
             with Launch(machine) as screen:
                 self.see(screen, {**WELL, **percent("region's faces", faces, 14), **percent("labels", 0.1, 1.5),
