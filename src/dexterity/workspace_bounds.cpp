@@ -84,12 +84,11 @@ private:
   IntervalVector moment_;
 };
 
-/// One leg by its joint limits.
-Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i)
+/// One leg by its joint limits. @param limits none, or those that it has
+Box boundsByLimits(const Machine& machine, const Criterion& criterion, int i, const Interval& limits)
 {
-  const Interval& limits = machine.leg(i).limits;
-  return limits.isBounded() ? boundingBox(pointsWithin(machine.enclosed(i), limits, steepest(machine, criterion)))
-                            : EVERYWHERE;
+  const bool is_bounded = limits.isBounded() || hasAngle(machine.leg(i));
+  return is_bounded ? boundingBox(pointsWithin(machine.enclosed(i), limits, steepest(machine, criterion))) : EVERYWHERE;
 }
 
 /// Parallel rails by the limits of several legs: e . p = e . c + sense (rho + eta) for each, with e that of the first.
@@ -140,8 +139,13 @@ Box boundsOfSet(const Machine& machine, const Criterion& criterion)
   Box bounds = OuterBounds(machine, criterion).box();
   const std::array<Interval, 3> limits = limitsThatBind(machine, criterion);
   for (int i = 0; i < 3; ++i)
-    if (limits[static_cast<std::size_t>(i)] != Interval::entire())
-      bounds = intersection(bounds, boundsByLimits(machine, criterion, i));
+  {
+    const Leg& leg = machine.leg(i);
+    const bool has_limits = limits[static_cast<std::size_t>(i)] != Interval::entire();
+    if (has_limits || hasAngle(leg))
+      bounds =
+          intersection(bounds, boundsByLimits(machine, criterion, i, has_limits ? leg.limits : Interval::entire()));
+  }
   for (const Zone& zone : criterion.zones)
     bounds = intersection(bounds, boundsOf(enclosed(zone, criterion.tool_radius)));
   const bool leaves_ends = !(bounds.upper - bounds.lower).allFinite();

@@ -146,9 +146,26 @@ std::string describe(const Crank& crank)
   return text.str();
 }
 
-OuterBound outerBound(const EnclosedCrank& crank, const std::optional<Interval>& /*steepest*/)
+namespace
 {
-  return { crank.identity, crank.center, crank.radius + crank.length };
+/// A lower bound of beta / L, the cosine of the angle between the forearm and the way of the tip.
+double leastCosine(const EnclosedCrank& crank, const std::optional<Interval>& steepest)
+{
+  return steepest ? std::clamp((Interval(1.0) / (crank.gear * *steepest)).lower(), 0.0, 1.0) : 0.0;
+}
+/// Of that angle.
+Interval largestSine(double least_cosine)
+{
+  return sqrtAboveZero(Interval(1.0) - sqr(Interval(least_cosine)));
+}
+}  // namespace
+
+/// x is the tip r e and the forearm n: x^2 = r^2 + L^2 + 2 r e . n, where e . n is at most L times the largest sine.
+OuterBound outerBound(const EnclosedCrank& crank, const std::optional<Interval>& steepest)
+{
+  const Interval across = crank.length * largestSine(leastCosine(crank, steepest));
+  const Interval square = sqr(crank.radius) + sqr(crank.length) + Interval(2.0) * crank.radius * across;
+  return { crank.identity, crank.center, sqrtAboveZero(square) };
 }
 
 /// |beta| is from L over the gear and steepest to L.
@@ -165,11 +182,48 @@ Interval jointRange(const EnclosedCrank& crank, const std::optional<Interval>& /
   return crank.reference + Interval(-pi().upper(), pi().upper());
 }
 
-/// A ball about each place of the tip.
-IntervalVector pointsWithin(const EnclosedCrank& crank, const Interval& /*joints*/,
-                            const std::optional<Interval>& steepest)
+namespace
 {
-  return crank.center + outerBound(crank, steepest).offsets();
+/// The crank's angle in so many parts.
+constexpr int PARTS = 128;
+
+/// How far forearms go that are within the largest angle of a direction, along another direction: cos of the angle
+/// between the two less the largest one, or 1. @param cosine of the angle between the two
+double supportOfCap(const Interval& cosine, double least_cosine)
+{
+  if (cosine.upper() >= least_cosine)
+    return 1.0;
+  const Interval z(std::max(cosine.upper(), -1.0));
+  return (z * Interval(least_cosine) + sqrtAboveZero(Interval(1.0) - sqr(z)) * largestSine(least_cosine)).upper();
+}
+}  // namespace
+
+/// For each part of the angle the tip, and the cap of a sphere on which forearms end that are no farther from its way
+/// than the criterion leaves them. Directions turn by no more than the angle does.
+IntervalVector pointsWithin(const EnclosedCrank& crank, const Interval& joints, const std::optional<Interval>& steepest)
+{
+  const double least_cosine = leastCosine(crank, steepest);
+  const Interval turns = joints.isBounded() ? joints - crank.reference : Interval(-pi().upper(), pi().upper());
+  const double part = turns.width() / PARTS;
+  const Interval off = Interval(-1.0, 1.0) * Interval(0.75 * part + 1e-14);  // half of it, and its middle's rounding
+  std::array<double, 3> most = { -INF, -INF, -INF };
+  std::array<double, 3> back = most;  // against the axes
+  for (int k = 0; k < PARTS; ++k)
+  {
+    const double angle = turns.lower() + (k + 0.5) * part;
+    const Interval cosine = cos(angle) + off, sine = sin(angle) + off;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const Interval ahead = crank.radius * (cosine * crank.u[axis] + sine * crank.v[axis]);
+      const Interval way = crank.sign * (cosine * crank.v[axis] - sine * crank.u[axis]);
+      most[axis] = std::max(most[axis], (ahead + crank.length * Interval(supportOfCap(way, least_cosine))).upper());
+      back[axis] = std::max(back[axis], (crank.length * Interval(supportOfCap(-way, least_cosine)) - ahead).upper());
+    }
+  }
+  IntervalVector points;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    points[axis] = crank.center[axis] + Interval(-back[axis], most[axis]);
+  return points;
 }
 
 LegReach reachAt(const EnclosedCrank& crank, const IntervalVector& p)

@@ -78,6 +78,65 @@ TEST(LegKinds, enclosuresHoldTheLoopsThatAreClosedByTriangles)
     });
 }
 
+namespace
+{
+/// x of a forearm that is within an angle of the way of the tip, drawn from the definition.
+Vector3d drawn(const Crank& crank, double angle, double least_cosine, Random& random)
+{
+  const Vector3d u = mid(crank.along), v = mid(crank.across);
+  const Vector3d tip = std::cos(angle) * u + std::sin(angle) * v;
+  const Vector3d way = crank.working_mode * (std::cos(angle) * v - std::sin(angle) * u);
+  const double cosine = random.once(2) ? least_cosine : random.uniform(least_cosine, 1.0);
+  const double turn = random.uniform(-M_PI, M_PI);
+  const Vector3d forearm =
+      cosine * way + std::sqrt(1.0 - cosine * cosine) * (std::cos(turn) * tip + std::sin(turn) * u.cross(v));
+  return crank.radius.mid() * tip + crank.length.mid() * forearm;
+}
+
+void expectBoundsOfWhatItReaches(const Machine& machine, const std::optional<Interval>& steepest,
+                                 const Interval& joints)
+{
+  const auto& crank = std::get<Crank>(machine.leg(2).kind);
+  const IntervalVector bounds = pointsWithin(machine.enclosed(2), joints, steepest);
+  const double reach = outerBound(machine.enclosed(2), steepest).radius.upper();
+  const double least_cosine = steepest ? std::min(1.0, 1.0 / (steepest->mid() * gearOf(machine.leg(2)).mid())) : 0.0;
+  Box seen{ Vector3d::Constant(INF), Vector3d::Constant(-INF) };
+  double farthest = 0.0;
+  Random random(1);
+  for (int sample = 0; sample < cases(20000); ++sample)
+  {
+    const double angle = joints.isBounded() ? random.uniform(joints.lower(), joints.upper())
+                                            : random.uniform(-M_PI, M_PI) + crank.reference;
+    const Vector3d x = drawn(crank, angle, least_cosine, random);
+    const Vector3d point = mid(crank.pivot) - mid(crank.platform) + x;
+    seen = { seen.lower.cwiseMin(point), seen.upper.cwiseMax(point) };
+    farthest = std::max(farthest, x.norm());
+  }
+  EXPECT_LE(farthest, reach + 1e-12);
+  EXPECT_GE(farthest, reach - 0.05);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Interval& bound = bounds[static_cast<std::size_t>(k)];
+    EXPECT_LE(bound.lower(), seen.lower[k] + 1e-12);
+    EXPECT_GE(bound.upper(), seen.upper[k] - 1e-12);
+    EXPECT_NEAR(bound.lower(), seen.lower[k], 0.25);
+    EXPECT_NEAR(bound.upper(), seen.upper[k], 0.25);
+  }
+}
+}  // namespace
+
+TEST(LegKinds, boundsOfCranksHoldWhatTheyReach)
+{
+  for (const Machine& machine : { delta(), crookedMix(4), crookedMix(7) })
+    for (const double steepest : { 0.0, 2.0, 1.01 })
+      for (const Interval& joints : { Interval::entire(), Interval(-0.6, 1.5), Interval(0.3) })
+      {
+        SCOPED_TRACE(machine.name() + ", steepest " + std::to_string(steepest));
+        expectBoundsOfWhatItReaches(machine, steepest > 0.0 ? std::make_optional(Interval(steepest)) : std::nullopt,
+                                    joints);
+      }
+}
+
 // A pdot = B qdot, and J qdot = pdot: by differences of the inverse and of the forward kinematics.
 TEST(LegKinds, jacobiansAreDerivativesBothWays)
 {

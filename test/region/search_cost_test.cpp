@@ -218,6 +218,38 @@ TEST(SearchCost, machinesWithoutSymmetry)
   EXPECT_LE(boxes.back(), 1700);
 }
 
+// Cranks, struts of variable length, and one of each kind.
+TEST(SearchCost, machinesOfOtherLegs)
+{
+  struct Cost
+  {
+    ShapePtr shape;
+    std::int64_t boxes;
+    std::int64_t verification_boxes;
+  };
+  Machine::Legs cranks = delta().legs();
+  for (Leg& leg : cranks)
+    leg.limits = Interval(-0.6, 1.5);
+  const std::vector<std::pair<Machine, std::vector<Cost>>> machines = {
+    { Machine("delta", cranks, delta().zero()),
+      { { makeCube(), 3500, 7000 }, { makeSphere(), 3700, 67000 }, { makeCylinder(0.5), 3300, 43000 } } },
+    { tripod(), { { makeCube(), 450, 800 }, { makeSphere(), 350, 18000 }, { makeCylinder(0.5), 400, 13000 } } },
+    { test::mixed(), { { makeCube(), 900, 6600 }, { makeSphere(), 500, 40000 }, { makeCylinder(0.5), 800, 17000 } } },
+  };
+  for (const auto& [machine, costs] : machines)
+    for (const Cost& cost : costs)
+    {
+      RegionQuery query;
+      query.shape = cost.shape;
+      query.accuracy = 1e-3;
+      query.criterion.joint_limits = true;
+      const LargestRegion region = findLargestRegion(machine, query);
+      EXPECT_EQ(region.status, LargestRegion::Status::PROVEN) << machine.name() << ": " << region.message;
+      EXPECT_LE(region.boxes, cost.boxes) << machine.name() << ", " << cost.shape->name();
+      EXPECT_LE(region.verification_boxes, cost.verification_boxes) << machine.name() << ", " << cost.shape->name();
+    }
+}
+
 TEST(SearchCost, pavingOfTheOrthoglide)
 {
   PavingQuery query;

@@ -53,6 +53,7 @@ public:
       forms_[i] = ofForms<Real>(leg);
       numbers_[i] = plain<Real>(forms_[i]);
       scales_[i] = driveScale(machine.legs()[i]);
+      has_cranks_ = has_cranks_ || std::holds_alternative<EnclosedCrank>(leg);
       if (steepest)
         floors_[i] = Real((pkm_workspace::squaredRow(leg, Interval(0.0)) / sqr(*steepest)).lower());
     }
@@ -60,7 +61,8 @@ public:
 
   /// The same in another type of number.
   template <class Other>
-  explicit LegModels(const LegModels<Other>& other) : scales_(other.scales_), squared_scale_(other.squared_scale_)
+  explicit LegModels(const LegModels<Other>& other)
+    : has_cranks_(other.has_cranks_), scales_(other.scales_), squared_scale_(other.squared_scale_)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -89,6 +91,11 @@ public:
   [[gnu::flatten]] MachineForms<Real> evaluate(const Domain& box) const
   {
     MachineForms<Real> forms;
+    if (has_cranks_)
+    {
+      evaluateToSecondOrder(box, forms);
+      return forms;
+    }
     for (std::size_t i = 0; i < 3; ++i)
     {
       const auto root = [&floor = floors_[i]](const AffineForm<Real>& x) { return sqrtAbove(x, floor); };
@@ -164,6 +171,20 @@ private:
   template <class>
   friend class LegModels;
 
+  template <class Domain>
+  [[gnu::noinline, gnu::flatten]] void evaluateToSecondOrder(const Domain& box, MachineForms<Real>& forms) const
+  {
+    std::array<QuadraticVector<Real>, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto root = [&floor = floors_[i]](const AffineForm<Real>& x) { return sqrtAbove(x, floor); };
+      pkm_workspace::evaluate(forms_[i], box, root, forms.legs[i], rows[i]);
+    }
+    forms.gram[0] = flat(product(rows[1], rows[2]));
+    forms.gram[1] = flat(product(rows[0], rows[2]));
+    forms.gram[2] = flat(product(rows[0], rows[1]));
+  }
+
   template <class State>
   static void multiplyRows(State& state)
   {
@@ -181,6 +202,7 @@ private:
                     (Real(1) + Real(4.0 * side) * rounding::roundoff<Real>()));
   }
 
+  bool has_cranks_ = false;
   std::array<LegOfForms<Real>, 3> forms_;
   std::array<PlainLeg<Real>, 3> numbers_;
   std::array<Real, 3> floors_ = { Real(0), Real(0), Real(0) };

@@ -214,7 +214,9 @@ namespace affine
 template <class Real>
 inline void spreadError(AffineVector<Real>& v)
 {
-  v.radius = widened(v.radius + v.along * sumOfMagnitudes(v.axis), Real(0), 0);
+  using std::abs;
+  using std::max;
+  v.radius = widened(v.radius + v.along * max(max(abs(v.axis[0]), abs(v.axis[1])), abs(v.axis[2])), Real(0), 0);
   v.along = Real(0);
   v.axis = { Real(0), Real(0), Real(0) };
 }
@@ -252,15 +254,6 @@ inline Real radiusOf(const AffineVector<Real>& v, std::size_t k)
 }
 }  // namespace affine
 
-/// Encloses |v|. Squares that underflow are worth less than 1e-139 of it.
-template <class Real>
-inline Enclosed<Real> enclosedNorm(const std::array<Real, 3>& v)
-{
-  using std::sqrt;
-  const Real norm = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return { norm, affine::widened(Real(1e-139), norm, 8) };
-}
-
 /// One component as a scalar form.
 template <class Real>
 inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
@@ -272,9 +265,18 @@ inline AffineForm<Real> component(const AffineVector<Real>& v, std::size_t k)
 template <class Real>
 inline AffineForm<Real> dot(const EnclosedVector<Real>& u, const AffineVector<Real>& v)
 {
+  using std::abs;
+  const auto times = [&u](const Real& x, const Real& y, const Real& z) {
+    return u.value[0] * x + u.value[1] * y + u.value[2] * z;
+  };
   AffineForm<Real> sum;
-  for (std::size_t k = 0; k < 3; ++k)
-    sum = sum + Enclosed<Real>(u.value[k], u.radius) * component(v, k);
+  sum.center = times(v.center[0], v.center[1], v.center[2]);
+  for (std::size_t j = 0; j < sum.gradient.size(); ++j)
+    sum.gradient[j] = times(v.linear[0][j], v.linear[1][j], v.linear[2][j]);
+  const Real size_u = affine::sumOfMagnitudes(u.value) + u.radius;
+  const Real size_v = v.magnitude() + v.radius + v.along * affine::sumOfMagnitudes(v.axis);
+  const Real errors = v.along * abs(times(v.axis[0], v.axis[1], v.axis[2])) + v.radius * size_u + u.radius * size_v;
+  sum.radius = affine::widened(errors, size_u * size_v, 32);
   return sum;
 }
 

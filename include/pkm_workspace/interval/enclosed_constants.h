@@ -34,6 +34,15 @@ inline Enclosed<Real> quotient(double x, double y)
   }
 }
 
+/// Encloses |v|. Squares that underflow are worth less than 1e-139 of it.
+template <class Real>
+inline Enclosed<Real> enclosedNorm(const std::array<Real, 3>& v)
+{
+  using std::sqrt;
+  const Real norm = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return { norm, affine::widened(Real(1e-139), norm, 8) };
+}
+
 /// A constant vector or matrix in doubles with one bound on the error of every entry.
 template <class Real>
 struct EnclosedVector

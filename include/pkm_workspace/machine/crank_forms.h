@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pkm_workspace/interval/affine_vector.h"
 #include "pkm_workspace/interval/angle_form.h"
 #include "pkm_workspace/interval/plain_vector.h"
-#include "pkm_workspace/machine/crank.h"
+#include "pkm_workspace/machine/crank_over_box.h"
 #include "pkm_workspace/machine/leg_state.h"
 #include "pkm_workspace/machine/limit_forms.h"
 
@@ -15,8 +14,6 @@ namespace pkm_workspace
 //   beta = s sqrt(m - k^2),  r cos th = r (k x_u + beta x_v) / m,  r sin th = r (k x_v - beta x_u) / m.
 // The row n is the forearm, x less the tip (r cos th, r sin th), and b = beta r over the drive scale.
 
-template <class Real>
-using CrankOfForms = CrankConstants<Enclosed<Real>, EnclosedVector<Real>, EnclosedMatrix<Real>, EnclosedMatrix<Real>>;
 template <class Real>
 using PlainCrank = CrankConstants<Real, PlainVector<Real>, PlainMatrix<Real>, PlainVector<Real>>;
 
@@ -81,19 +78,6 @@ inline Interval tip(const Interval& f, const Interval& m, const Interval& radius
   return found.isEmpty() ? all : found;  // where the leg does not reach, which says nothing
 }
 template <class Real>
-inline AffineForm<Real> tip(const AffineForm<Real>& f, const AffineForm<Real>& m, const Enclosed<Real>& radius)
-{
-  // far from 0: the error of the chord is relative to the lower end
-  const auto holds = m.lower() > Real(0x1p-20) * m.upper();
-  const AffineForm<Real> found = radius * (f * inverseOf(m));
-  AffineForm<Real> tip;
-  tip.center = select(holds, found.center, Real(0));
-  for (std::size_t j = 0; j < tip.gradient.size(); ++j)
-    tip.gradient[j] = select(holds, found.gradient[j], Real(0));
-  tip.radius = select(holds, found.radius, affine::widened(radius.magnitude(), Real(0), 0));
-  return tip;
-}
-template <class Real>
 inline Real tip(const Real& f, const Real& m, const Real& radius)
 {
   using std::max;
@@ -103,12 +87,6 @@ inline Real tip(const Real& f, const Real& m, const Real& radius)
 /// Takes f a from the vector, and once more.
 inline void subtract(IntervalVector& v, const Interval& f, const IntervalVector& a)
 {
-  addAlong(v, -f, a);
-}
-template <class Real>
-inline void subtract(AffineVector<Real>& v, const AffineForm<Real>& f, const EnclosedVector<Real>& a)
-{
-  affine::spreadError(v);
   addAlong(v, -f, a);
 }
 template <class Real>
@@ -180,14 +158,24 @@ inline auto jointOf(const CrankConstants<Constants...>& crank, const Points& p, 
   return angleOf(along, across) + crank.reference;
 }
 
-/// r sin of the angle from the limit to th, or from th to the limit.
+/// r sin of the angle from the limit to th, or from th to the limit: the tip, x less n, along the way that it has
+/// there.
 template <class Real, class Points, class State>
 inline AffineForm<Real> limitForm(const CrankOfForms<Real>& crank, const Points& p, const State& state,
                                   const JointLimit<Real>& limit)
 {
-  const auto [along, across] = tipOf(crank, p, state);
-  const AffineForm<Real> beyond = limit.cosine * across - limit.sine * along;
-  return limit.is_upper ? -beyond : beyond;
+  EnclosedVector<Real> way;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    using std::max;
+    const Enclosed<Real> u(crank.u.value[k], crank.u.radius), v(crank.v.value[k], crank.v.radius);
+    const Enclosed<Real> component = limit.cosine * v + -(limit.sine * u);
+    way.value[k] = limit.is_upper ? -component.value : component.value;
+    way.radius = max(way.radius, component.radius);
+  }
+  AffineVector<Real> x;
+  mapOffset(crank.identity, crank.center, p, x);
+  return dot(way, x) - dot(way, state.row);
 }
 template <class Real, class Points, class State>
 inline Real limitForm(const PlainCrank<Real>& crank, const Points& p, const State& state, const JointLimit<Real>& limit)

@@ -40,6 +40,20 @@ inline void evaluate(const std::variant<Kinds...>& leg, const Points& p, const R
   visitLeg([&](const auto& kind) { evaluate(kind, p, root, state); }, leg);
 }
 
+/// The same, and the row to second order where the leg is a crank.
+template <class Real, class Kind, class Points, class Root, class State>
+inline void evaluate(const Kind& leg, const Points& p, const Root& root, State& state, QuadraticVector<Real>& row)
+{
+  evaluate(leg, p, root, state);
+  row.linear = state.row;
+}
+template <class Real, class... Kinds, class Points, class Root, class State>
+inline void evaluate(const std::variant<Kinds...>& leg, const Points& p, const Root& root, State& state,
+                     QuadraticVector<Real>& row)
+{
+  visitLeg([&](const auto& kind) { evaluate(kind, p, root, state, row); }, leg);
+}
+
 /// drive b^2 + row n^2 [m^2], for two weights: numbers, or Zero, One and MinusOne (leg_state.h).
 template <class... Kinds, class State, class Drive, class Row>
 inline auto weighed(const std::variant<Kinds...>& leg, const State& state, const Drive& drive, const Row& row)
