@@ -35,11 +35,11 @@ Interval limitsOf(const std::array<double, 2>& travel, double unit)
 Machine makeDelta(const Dimensions& given)
 {
   DeltaDimensions delta;
-  delta.base_radius = given.base_radius.value_or(delta.base_radius);
-  delta.crank = given.crank.value_or(delta.crank);
-  delta.forearm = given.length.value_or(delta.forearm);
-  delta.platform_radius = given.platform_radius.value_or(delta.platform_radius);
-  delta.limits = { -0.6, 1.5 };
+  delta.base_radius = given.base_radius ? Interval(*given.base_radius) : delta.base_radius;
+  delta.crank = given.crank ? Interval(*given.crank) : delta.crank;
+  delta.forearm = given.length ? Interval(*given.length) : delta.forearm;
+  delta.platform_radius = given.platform_radius ? Interval(*given.platform_radius) : delta.platform_radius;
+  delta.limits = DELTA_TRAVEL;
   if (given.travel)
     delta.limits = limitsOf(*given.travel, M_PI / 180.0);
   return pkm_workspace::delta(delta);
@@ -48,9 +48,9 @@ Machine makeDelta(const Dimensions& given)
 Machine makeTripod(const Dimensions& given)
 {
   TripodDimensions tripod;
-  tripod.base_radius = given.base_radius.value_or(tripod.base_radius);
-  tripod.platform_radius = given.platform_radius.value_or(tripod.platform_radius);
-  tripod.length = given.length.value_or(tripod.length);
+  tripod.base_radius = given.base_radius ? Interval(*given.base_radius) : tripod.base_radius;
+  tripod.platform_radius = given.platform_radius ? Interval(*given.platform_radius) : tripod.platform_radius;
+  tripod.length = given.length ? Interval(*given.length) : tripod.length;
   if (given.travel)
     tripod.limits = limitsOf(*given.travel, 1.0);
   return pkm_workspace::tripod(tripod);

@@ -4,6 +4,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "comparison.h"
+#include "named_families.h"
 #include "pkm_workspace/dexterity/joint_data.h"
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/report/largest_sentence.h"
@@ -45,7 +46,8 @@ public:
   std::string description() const override
   {
     return "Finds the machine with the largest region in a family of machines that differ by one parameter: the "
-           "UraneSX by R - r or by the paper's lambda, or all machines on the way from one URDF (share 0) to another "
+           "UraneSX by R - r or by the paper's lambda, the Delta or the tripod of the catalogue by one of their "
+           "dimensions, or all machines on the way from one URDF (share 0) to another "
            "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all "
            "machines of the range, and outside of which parameters no machine has a larger region. With --parts, also "
            "the bracket of the largest size in each of so many parts of the range. Ctrl-C ends it with what is proved. "
@@ -64,9 +66,11 @@ public:
 
   void declare(Options& options) override
   {
-    options.choice("machine", machine_, { "uranesx" }, "a machine of the catalogue, with --parameter");
-    options.choice("parameter", parameter_, { "R-r", "lambda" },
-                   "of the uranesx: R - r in metres for L = 1 m, or the paper's lambda in metres, R = 7/13 m + lambda");
+    options.choice("machine", machine_, familyMachines(), "a machine of the catalogue, with --parameter");
+    options.choice(
+        "parameter", parameter_, familyParameters(),
+        "of the uranesx: R - r in metres for L = 1 m, or the paper's lambda in metres, R = 7/13 m + lambda; of "
+        "the others: one of their dimensions in metres, as pkm urdf has them");
     machines_.declare(options);
     declareTolerances(
         options, [this]() -> ToleranceWish& { return tolerances_; }, "; of every machine of the family");
@@ -137,8 +141,8 @@ private:
       query_.family =
           familyBetween(withGivenTolerances(ends[0].machine, tolerances),
                         withGivenTolerances(ends[1].machine, tolerances), query_.region.criterion.joint_limits);
-    else if (!parameter_.empty())
-      query_.family = withinTolerances(parameter_ == "R-r" ? uranesxByRadius() : uranesxByLambda(), tolerances);
+    else if (!parameter_.empty() && !machine_.empty())
+      query_.family = withinTolerances(familyNamed(machine_, parameter_), tolerances);
     else
       return;
     const Machine first = query_.family.at(Interval(range_->lower));

@@ -89,20 +89,20 @@ Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, do
 
 namespace
 {
-void requireLengths(const std::initializer_list<std::pair<const char*, double>>& lengths)
+void requireLengths(const std::initializer_list<std::pair<const char*, Interval>>& lengths)
 {
   for (const auto& [name, length] : lengths)
-    if (!(length >= 1e-9 && length <= 1e9))
-      throw std::invalid_argument(std::string(name) + " = " + exact(length) + " m must be from 1e-9 m to 1e9 m");
+    if (!(length.lower() >= 1e-9 && length.upper() <= 1e9))
+      throw std::invalid_argument(std::string(name) + " = " + exact(length.mid()) + " m must be from 1e-9 m to 1e9 m");
 }
 
 /// How far the platform is from the plane of a machine's base. @param across what a strut of that length spans there
-double heightOf(const Interval& length, double across)
+double heightOf(const Interval& length, const Interval& across)
 {
-  if (!(std::abs(across) < length.lower()))
-    throw std::invalid_argument("at zero the legs span " + exact(std::abs(across)) +
+  if (!(across.magnitude() < length.lower()))
+    throw std::invalid_argument("at zero the legs span " + exact(across.magnitude()) +
                                 " m across, which must be less than their length " + exact(length.mid()) + " m");
-  return sqrt(sqr(length) - sqr(Interval(across))).mid();
+  return sqrt(sqr(Interval(length.mid())) - sqr(Interval(across.mid()))).mid();
 }
 }  // namespace
 
@@ -117,15 +117,15 @@ Machine delta(const DeltaDimensions& dimensions)
   for (std::size_t i = 0; i < 3; ++i)
   {
     Crank crank;
-    crank.pivot = Interval(dimensions.base_radius) * directions[i];
+    crank.pivot = dimensions.base_radius * directions[i];
     crank.along = directions[i];
     crank.across = { 0.0, 0.0, -1.0 };
     crank.radius = dimensions.crank;
-    crank.platform = Interval(dimensions.platform_radius) * directions[i];
+    crank.platform = dimensions.platform_radius * directions[i];
     crank.length = dimensions.forearm;
     legs[i] = { "crank_" + std::to_string(i + 1), dimensions.limits, crank };
   }
-  const double across = dimensions.base_radius + dimensions.crank - dimensions.platform_radius;
+  const Interval across = dimensions.base_radius + dimensions.crank - dimensions.platform_radius;
   return Machine("delta", legs, Eigen::Vector3d(0.0, 0.0, -heightOf(dimensions.forearm, across)));
 }
 
@@ -139,12 +139,12 @@ Machine tripod(const TripodDimensions& dimensions)
   for (std::size_t i = 0; i < 3; ++i)
   {
     TelescopicStrut strut;
-    strut.foot = Interval(dimensions.base_radius) * directions[i];
-    strut.platform = Interval(dimensions.platform_radius) * directions[i];
+    strut.foot = dimensions.base_radius * directions[i];
+    strut.platform = dimensions.platform_radius * directions[i];
     strut.length = dimensions.length;
     legs[i] = { "strut_" + std::to_string(i + 1), dimensions.limits, strut };
   }
-  const double across = dimensions.base_radius - dimensions.platform_radius;
+  const Interval across = dimensions.base_radius - dimensions.platform_radius;
   return Machine("tripod", legs, Eigen::Vector3d(0.0, 0.0, heightOf(dimensions.length, across)));
 }
 

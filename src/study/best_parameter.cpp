@@ -14,8 +14,11 @@ namespace pkm_workspace
 {
 namespace
 {
-/// Boxes of centers for one look at a part before it is rather divided: so many more with each division.
+/// Boxes of centers for one look at a part before it is rather divided: so many more with each division. A machine that
+/// takes many by itself, as one with cranks does, has parts that take as many: then this share of them.
 constexpr std::int64_t LOOK = 64;
+constexpr std::int64_t LOOK_SHARE = 4;
+constexpr std::int64_t MOST_LOOK = 1 << 15;
 /// Boxes that proofs of regions of one machine may take, and those of regions that all machines of a part have in
 /// common: so many more with each division.
 constexpr std::int64_t VERIFICATION = 64000;
@@ -44,6 +47,7 @@ public:
   BestParameter run()
   {
     climb();
+    measureLook();
     open_.put({ query_.range, INF });
     in_hand_ = 0.0;
     branchAndBound(open_, *this, budget_);
@@ -159,6 +163,16 @@ private:
     }
   }
 
+  /// By what the best machine takes to be settled.
+  void measureLook()
+  {
+    const std::int64_t before = best_.region.boxes;
+    if (!isOver())
+      search(query_.family.at(Interval(best_.parameter)), best_.parameter,
+             best_.region.size - SHARE * query_.region.accuracy, { MOST_LOOK, VERIFICATION });
+    look_ = std::max(LOOK, (best_.region.boxes - before) / LOOK_SHARE);
+  }
+
   /// Nothing where the machines of the part have too little in common to be told as one.
   std::optional<Machine> machineOf(const Interval& parameters) const
   {
@@ -187,7 +201,7 @@ private:
     const double below = SHARE * query_.region.accuracy;
     const double size = best_.region.size;
     const std::int64_t times = isNarrow(part.parameters) ? LAST_LOOK : 1 + part.divisions;
-    const Effort effort{ LOOK * times, COMMON_VERIFICATION * times };
+    const Effort effort{ look_ * times, COMMON_VERIFICATION * times };
     double bound = part.bound;
     try
     {
@@ -269,25 +283,13 @@ private:
   RunningBracket bracket_;  ///< of the size
   BestFirst<Part> open_;
   std::vector<Part> closed_;
+  std::int64_t look_ = LOOK;
   double in_hand_ = INF;  ///< bound of the parameters that are in work
   std::vector<Eigen::Vector3d> suspects_;
   BestParameter best_;
   Pace pace_{ query_.progress_period };
 };
 }  // namespace
-
-void StudyQuery::validate(Problems& problems) const
-{
-  if (!family.at)
-    problems.push_back("a family of machines is missing");
-  if (range.isEmpty() || !range.isBounded())
-    problems.push_back("the range of the parameter must be two finite numbers, the least one first");
-  if (region.ratio)
-    problems.push_back("a study compares regions of one shape: a cylinder needs one ratio");
-  region.validate(problems);
-  if (problems.empty())
-    validateAccuracy(family.at(Interval(range.lower())), region, problems);
-}
 
 BestParameter findBestParameter(const StudyQuery& query)
 {

@@ -50,6 +50,30 @@ class Study(CommandTest):
         edge = 1.25 * (1 / math.sqrt(6) + 1 / (3 * math.sqrt(2)))
         self.assertBrackets(answer["size"], edge, answer["size_upper_bound"])
 
+    def test_families_with_other_legs(self):
+        """No machine that pkm largest looks at by itself has more than the family's upper bound."""
+        for machine, parameter, lower, upper, accuracy in (("tripod", "base-radius", 0.4, 0.6, 0.04),
+                                                           ("delta", "crank", 0.5, 0.54, 0.1)):
+            answer = self.answer("study", "--machine", machine, "--parameter", parameter, "--range", lower, upper,
+                                 "--accuracy", accuracy, "--time-limit", 3600)
+            self.assertEqual((answer["status"], answer["family"]), ("proven", {"parameter": parameter, "unit": "m"}))
+            self.assertLessEqual(answer["size_upper_bound"] - answer["size"], accuracy)
+            for value in (lower, 0.3 * lower + 0.7 * upper, upper, answer["parameter"]):
+                urdf = self.machine("--machine", machine, f"--{parameter}", repr(value))
+                found = self.answer("largest", "--urdf", urdf, "--accuracy", 0.01)
+                self.assertLessEqual(found["size"], answer["size_upper_bound"])
+            self.assertGreaterEqual(found["size_upper_bound"], answer["size"])  # of the best one
+
+    def test_a_parameter_that_a_machine_has_not_is_refused(self):
+        process = run("study", "--machine", "tripod", "--parameter", "crank", "--range", 0.1, 0.2)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("--parameter crank is none of the tripod; allowed: base-radius, length, platform-radius",
+                      process.stderr)
+        process = run("study", "--machine", "delta", "--parameter", "length", "--range", 0.5, 1.2)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr,
+                         r"at zero the legs span 0.644\d* m across, which must be less than their len")
+
     def test_none_and_budgets_are_answers(self):
         none = self.answer(*BY_RADIUS, 0.45, 0.5, "--psi-min", 1.2, "--psi-max", 1.3)
         self.assertEqual((none["status"], none["size"], none["parameter"]), ("none", 0, None))

@@ -22,16 +22,19 @@ Machine orthoglidePrototype();
 /// @throws std::invalid_argument also unless 0 < R - r < L, or when a radius is larger than 1e9 m
 Machine uranesx(const Interval& rail_radius, const Interval& platform_radius, double length = 1.0);
 
-/// What a Delta measures [m]: its cranks turn about axes that are tangents of a circle, and its forearms end on one of
-/// the platform.
+/// What a Delta measures [m], doubles or enclosures: its cranks turn about axes that are tangents of a circle, and its
+/// forearms end on one of the platform.
 struct DeltaDimensions
 {
-  double base_radius = 0.164;            ///< of the circle that the cranks' axes touch
-  double crank = 0.524;                  ///< r: from its axis to the forearm
-  double forearm = 1.244;                ///< L
-  double platform_radius = 0.044;        ///< of the circle of the forearms' lower ends
+  Interval base_radius = 0.164;          ///< of the circle that the cranks' axes touch
+  Interval crank = 0.524;                ///< r: from its axis to the forearm
+  Interval forearm = 1.244;              ///< L
+  Interval platform_radius = 0.044;      ///< of the circle of the forearms' lower ends
   Interval limits = Interval::entire();  ///< of the joints [rad]; none: they turn all around
 };
+
+/// Joint limits of a Delta where nothing else is said: chosen, not measured [rad].
+const Interval DELTA_TRAVEL{ -0.6, 1.5 };
 
 /// A rotary Delta (R. Clavel), hanging: cranks at 0 and +-120 degrees, level and outward at joint value 0, which turns
 /// them downward; the platform below. The defaults are those of an ABB FlexPicker IRB 360-1/1600 as R. L. Williams II
@@ -39,13 +42,13 @@ struct DeltaDimensions
 /// @throws std::invalid_argument where a number is not from 1e-9 m to 1e9 m, or the forearms do not reach at zero
 Machine delta(const DeltaDimensions& dimensions = {});
 
-/// What a tripod of struts of variable length measures [m].
+/// What a tripod of struts of variable length measures [m], doubles or enclosures.
 struct TripodDimensions
 {
-  double base_radius = 0.5;      ///< of the circle of the feet, in the plane z = 0
-  double platform_radius = 0.1;  ///< of the circle of the struts' upper ends
-  double length = 0.8;           ///< of the struts at joint value 0
-  Interval limits{ -0.3, 0.3 };  ///< of the joints
+  Interval base_radius = 0.5;      ///< of the circle of the feet, in the plane z = 0
+  Interval platform_radius = 0.1;  ///< of the circle of the struts' upper ends
+  Interval length = 0.8;           ///< of the struts at joint value 0
+  Interval limits{ -0.3, 0.3 };    ///< of the joints
 };
 
 /// A tripod with feet at 0 and +-120 degrees, standing: its platform is kept from turning, and above.

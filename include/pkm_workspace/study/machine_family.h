@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "pkm_workspace/machine/catalogue.h"
 #include "pkm_workspace/machine/tolerances.h"
 
 namespace pkm_workspace
@@ -24,6 +25,11 @@ MachineFamily uranesxByRadius(double length = 1.0);
 
 /// The UraneSX of the paper's table 2 by lambda [m]: L = 1 m, R = 7/13 + lambda, r = 3/26.
 MachineFamily uranesxByLambda();
+
+/// The Delta, and the tripod, of the catalogue by one of their dimensions [m], the others as they are; with joint
+/// limits.
+MachineFamily deltaBy(Interval DeltaDimensions::*dimension, const std::string& name);
+MachineFamily tripodBy(Interval TripodDimensions::*dimension, const std::string& name);
 
 /// All machines on the way from one to another: every number of the geometry is (1 - t) first + t last, directions of
 /// rails made to unit length; the parameter t has no unit.
