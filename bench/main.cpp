@@ -5,6 +5,7 @@ int main(int argc, char** argv)
 {
   pkm_workspace::bench::addLargestRows();
   pkm_workspace::bench::addHardRows();
+  pkm_workspace::bench::addLegRows();
   pkm_workspace::bench::addConditionRows();
   pkm_workspace::bench::addVerificationRows();
   pkm_workspace::bench::addPavingRows();

@@ -32,6 +32,8 @@ inline benchmark::internal::Benchmark* addRow(const std::string& name, const std
 void addLargestRows();
 /// The largest squares and cubes that only our own way is fit for.
 void addHardRows();
+/// The largest regions of machines of other legs than sliding struts.
+void addLegRows();
 /// The largest squares and cubes with one more condition, and with all of them.
 void addConditionRows();
 /// One cube of the Orthoglide verified by all ways.

@@ -72,6 +72,17 @@ TEST_P(AffineVectorContainment, squaredNormHoldsThoseOfAllMembers)
   });
 }
 
+TEST_P(AffineVectorContainment, dotWithAConstantHoldsThoseOfAllMembers)
+{
+  forEachCase([this](Forms& forms) {
+    const IntervalVector u = constants(forms);
+    const Vector v = forms.vector();
+    const Form product = evaluate<Form>([&] { return dot(EnclosedVector<double>(u), v); });
+    for (int i = 0; i < MEMBERS; ++i, forms.move())
+      ASSERT_TRUE(forms.holds(product, dot(endsOf(u, forms), forms.member(v)))) << toText(v) << product;
+  });
+}
+
 TEST_P(AffineVectorContainment, dotHoldsTheRoundingOfPerpendicularErrors)
 {
   forEachCase([this](Forms& forms) {

@@ -93,17 +93,16 @@ Vector3d drawn(const Crank& crank, double angle, double least_cosine, Random& ra
   return crank.radius.mid() * tip + crank.length.mid() * forearm;
 }
 
-void expectBoundsOfWhatItReaches(const Machine& machine, const std::optional<Interval>& steepest,
-                                 const Interval& joints)
+void expectBoundsOfWhatItReaches(const Leg& leg, const std::optional<Interval>& steepest, const Interval& joints)
 {
-  const auto& crank = std::get<Crank>(machine.leg(2).kind);
-  const IntervalVector bounds = pointsWithin(machine.enclosed(2), joints, steepest);
-  const double reach = outerBound(machine.enclosed(2), steepest).radius.upper();
-  const double least_cosine = steepest ? std::min(1.0, 1.0 / (steepest->mid() * gearOf(machine.leg(2)).mid())) : 0.0;
+  const auto& crank = std::get<Crank>(leg.kind);
+  const IntervalVector bounds = pointsWithin(enclosed(crank), joints, steepest);
+  const double reach = outerBound(enclosed(crank), steepest).radius.upper();
+  const double least_cosine = steepest ? std::min(1.0, 1.0 / (steepest->mid() * gearOf(leg).mid())) : 0.0;
   Box seen{ Vector3d::Constant(INF), Vector3d::Constant(-INF) };
   double farthest = 0.0;
   Random random(1);
-  for (int sample = 0; sample < cases(20000); ++sample)
+  for (int sample = 0; sample < cases(5000); ++sample)
   {
     const double angle = joints.isBounded() ? random.uniform(joints.lower(), joints.upper())
                                             : random.uniform(-M_PI, M_PI) + crank.reference;
@@ -128,13 +127,16 @@ void expectBoundsOfWhatItReaches(const Machine& machine, const std::optional<Int
 TEST(LegKinds, boundsOfCranksHoldWhatTheyReach)
 {
   for (const Machine& machine : { delta(), crookedMix(4), crookedMix(7) })
-    for (const double steepest : { 0.0, 2.0, 1.01 })
-      for (const Interval& joints : { Interval::entire(), Interval(-0.6, 1.5), Interval(0.3) })
-      {
-        SCOPED_TRACE(machine.name() + ", steepest " + std::to_string(steepest));
-        expectBoundsOfWhatItReaches(machine, steepest > 0.0 ? std::make_optional(Interval(steepest)) : std::nullopt,
-                                    joints);
-      }
+    for (const int mode : { 1, -1 })
+      for (const double steepest : { 0.0, 2.0, 1.01 })
+        for (const Interval& joints : { Interval::entire(), Interval(-0.6, 1.5), Interval(0.3) })
+        {
+          SCOPED_TRACE(machine.name() + ", mode " + std::to_string(mode) + ", steepest " + std::to_string(steepest));
+          Leg leg = machine.leg(2);
+          std::get<Crank>(leg.kind).working_mode = mode;
+          expectBoundsOfWhatItReaches(leg, steepest > 0.0 ? std::make_optional(Interval(steepest)) : std::nullopt,
+                                      joints);
+        }
 }
 
 // A pdot = B qdot, and J qdot = pdot: by differences of the inverse and of the forward kinematics.
@@ -229,6 +231,23 @@ TEST(LegKinds, whatIsNoLegIsRefused)
   tolerance.length = 1e-4;
   expectThrow<Refused>([&] { setTolerance(tolerance, legs[0]); },
                        "leg 'crank_1' is no strut of fixed length on a slider");
+}
+
+TEST(AngleForm, holdsTheArcTangentOfEveryMember)
+{
+  for (int seed = 0; seed < cases(1000); ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed));
+    AffineForm<double> f;
+    f.gradient[0] = std::ldexp(1.0, random.integer(-20, 3));
+    f.center = random.once(2) ? 0.0 : random.uniform(-1.0, 1.0) * f.gradient[0];
+    const AffineForm<double> angle = arcTangent(f);
+    for (const double delta : { -1.0, 1.0, random.uniform(-1.0, 1.0) })
+    {
+      const Number exact = atan(Number(f.center) + Number(f.gradient[0]) * delta);
+      ASSERT_LE(abs(exact - angle.center - Number(angle.gradient[0]) * delta), Number(angle.radius)) << "seed " << seed;
+    }
+  }
 }
 
 // Angles of directions of boxes, against their corners in 100 digits.

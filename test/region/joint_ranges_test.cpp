@@ -146,7 +146,15 @@ TEST(JointRanges, uranesxSquares)
 
 TEST(JointRanges, encloseTheJointValuesOfEveryPoint)
 {
-  for (const Machine& machine : test::everyKind())
+  std::vector<Machine> machines = test::everyKind();
+  Machine::Legs inward = delta().legs();
+  for (Leg& leg : inward)
+  {
+    std::get<Crank>(leg.kind).working_mode = -1;
+    std::get<Crank>(leg.kind).reference = -2.9;
+  }
+  machines.emplace_back("delta with its cranks inward", inward, delta().zero());
+  for (const Machine& machine : machines)
   {
     const ShapePtr shape = makeBox(machine.scale() * Eigen::Vector3d(0.2, 0.3, 0.1));
     const double accuracy = 1e-12 * (machine.scale() + machine.zero().norm());
