@@ -35,7 +35,7 @@ void RegionPublisher::publish(const RegionQuestion& question, const Region& regi
 {
   region_.publish(region);
   joint_ranges_.publish(jointRangesOf(region));
-  if (tool_ && !tool_->isLed() && region.size > 0.0)
+  if (tool_ && region.size > 0.0)
     moveMachine(question, region);
   const bool holds_box = region.size > 0.0 && region.vertices.empty();  // of a polytope the center may be a corner
   if (holds_box && question.in.frame == context_.frames.root().frame)

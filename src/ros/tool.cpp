@@ -105,7 +105,7 @@ void Tool::stopBefore(Eigen::Vector3d bad)
     if (is_good)
       point = *p;
   }
-  go({ point, "beyond these joints the machine has no assembly in its working mode and aspect" });
+  go({ point, "beyond these joints the machine has no assembly in its working mode and aspect" }, false);
 }
 
 std::string Tool::objectionTo(const Eigen::Vector3d& p) const
@@ -137,31 +137,38 @@ ToolState Tool::border(Eigen::Vector3d good, Eigen::Vector3d bad) const
   return { good, objectionTo(bad) };
 }
 
-ToolState Tool::moveTo(const Eigen::Vector3d& p)
+ToolState Tool::placeTowards(const Eigen::Vector3d& p) const
 {
   Problems problems;
   requireFinite("tool point", p, problems);
   throwProblems(problems);
   const std::string objection = objectionTo(p);
-  return go(objection.empty() ? ToolState{ p, "" } : border(state().point, p));
+  return objection.empty() ? ToolState{ p, "" } : border(state().point, p);
+}
+
+ToolState Tool::moveTo(const Eigen::Vector3d& p)
+{
+  return go(placeTowards(p), true);
 }
 
 ToolState Tool::lead(const Eigen::Vector3d& p)
 {
   is_led_ = true;
-  return moveTo(p);
+  return go(placeTowards(p), false);
 }
 
 void Tool::refresh()
 {
   const Eigen::Vector3d p = state().point;
-  go({ p, objectionTo(p) });
+  go({ p, objectionTo(p) }, false);
 }
 
-ToolState Tool::go(const ToolState& state)
+ToolState Tool::go(const ToolState& state, bool is_computed)
 {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_computed && is_led_)
+      return { state_.point, "" };
     joint_states_.moveTo(state.point);
     state_ = state;
   }

@@ -33,12 +33,11 @@ public:
 
   /// @param moved called after each move, by any thread
   void onMove(const std::function<void()>& moved) { moved_ = moved; }
-  /// Moves towards a point in the frame of the root link [m], up to the border where it cannot go there.
+  /// Moves towards a point in the frame of the root link [m], up to the border where it cannot go there, unless a
+  /// handle, a pose or rails have led the tool: it is theirs then, and no computation moves it.
   ToolState moveTo(const Eigen::Vector3d& p);
-  /// The same for somebody who leads the tool: from then on isLed().
+  /// The same for somebody who leads the tool.
   ToolState lead(const Eigen::Vector3d& p);
-  /// Whether a handle, a pose or rails have led the tool: it is theirs then, and no computation moves it.
-  bool isLed() const { return is_led_; }
   /// Tells again what the node's criterion of now says about where the tool is.
   void refresh();
   ToolState state() const;
@@ -51,7 +50,9 @@ private:
   int aspect() const;
   /// As far as there is an assembly on the way to these joint values.
   void stopBefore(Eigen::Vector3d bad);
-  ToolState go(const ToolState& state);
+  /// @param is_computed whether nobody leads it there
+  ToolState go(const ToolState& state, bool is_computed);
+  ToolState placeTowards(const Eigen::Vector3d& p) const;
   /// Why the mechanism cannot be assembled there; empty where it can.
   std::string objectionTo(const Eigen::Vector3d& p) const;
   /// The last point on the way from @p good to @p bad, to rounding, and what is in the way there.
