@@ -48,6 +48,7 @@ const NamedCommand COMMANDS[] = {
   { "urdf", "the URDF of a machine of the catalogue", makeUrdf },
   { "import", "the URDF of a delta from the configuration of its controller", makeImport },
   { "export", "a proved region as limits for the configuration of a controller", makeExport },
+  { "verify", "that each step of a certificate holds", makeVerify },
 };
 
 constexpr const char* LOST_OUTPUT = "standard output cannot be written";

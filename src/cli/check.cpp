@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "certificate_option.h"
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -61,6 +62,7 @@ public:
     budget_.max_boxes = DEFAULT_CHECK_BOXES;
     options.count("max-boxes", budget_.max_boxes, MOST_BOXES, "boxes looked at before it ends undecided");
     declareTimeLimit(options, budget_.time_limit);
+    certificate_.declare(options);
     options.flag("progress", progress_, PROGRESS_HELP);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     options.check({ "size", "sides", "radius", "height" }, [this, &options](Problems& problems) {
@@ -70,6 +72,10 @@ public:
     options.check({ "centers", "size", "sides", "radius", "height" }, [this](Problems& problems) {
       if (centers_ && body_.given() && !body_.sides())
         problems.push_back("only a box of --sides can have --centers; for another region give its --center");
+    });
+    options.check({ "certificate", "centers" }, [this](Problems& problems) {
+      if (centers_ && certificate_.given())
+        problems.push_back("a certificate is about one region: give its --center");
     });
     options.check({ "center", "centers" }, [this](Problems& problems) {
       if (center_.has_value() == centers_.has_value())
@@ -83,13 +89,15 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
+    certificate_.validate(machine, criterion_);
     const Progress progress(progress_);
     const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
     if (centers_)
       return answerForAll(test);
     budget_.stop = stopOnSignal();
     const Solid& solid = body_.solid();
-    const ContainmentResult result = checkContainment(test, *solid.shape, *center_, solid.size, budget_);
+    result_ = checkContainment(test, *solid.shape, *center_, solid.size, budget_);
+    const ContainmentResult& result = result_;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
     json["center"] = toJson(*center_);
@@ -108,6 +116,14 @@ public:
       addLimits(machine, criterion_, reachOver(machine, *solid.shape, *center_, solid.size), json);
     json["message"] = message(result);
     return { json, print(result) + (bad ? aboutMachine(*bad) : "") };
+  }
+
+  void save() override
+  {
+    if (result_.verdict == Containment::INSIDE)
+      certificate_.save(machine_.machine(), criterion_, body_.solid(), *center_);
+    else if (certificate_.given())
+      throw std::invalid_argument("the region is not proved to be inside: there is nothing to certify");
   }
 
 private:
@@ -194,6 +210,8 @@ private:
   std::optional<Box> centers_;
   bool multi_precision_ = false;
   Budget budget_;
+  CertificateOption certificate_;
+  ContainmentResult result_;
   bool progress_ = false;
 };
 }  // namespace

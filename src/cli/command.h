@@ -75,5 +75,6 @@ std::unique_ptr<Command> makeTolerate();
 std::unique_ptr<Command> makeUrdf();
 std::unique_ptr<Command> makeImport();
 std::unique_ptr<Command> makeExport();
+std::unique_ptr<Command> makeVerify();
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "certificate_option.h"
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -102,6 +103,7 @@ public:
     place_.declare(options, query_);
     options.flag("multi-precision", multi_precision_, MULTI_PRECISION_HELP);
     declareBudget(options, query_.budget);
+    certificate_.declare(options);
     options.flag("progress", progress_, PROGRESS_HELP);
   }
 
@@ -123,9 +125,12 @@ public:
                     ", " + std::to_string(state.boxes_done) + " boxes done, " + std::to_string(state.boxes_open) +
                     " open");
     };
-    const LargestRegion region = findLargestRegion(machine, query_);
-    return { answerJson(machine, query_, region), print(region) };
+    certificate_.follow(machine, query_);
+    region_ = findLargestRegion(machine, query_);
+    return { answerJson(machine, query_, region_), print(region_) };
   }
+
+  void save() override { certificate_.save(machine_.machine(), query_, region_); }
 
 private:
   std::string print(const LargestRegion& region) const
@@ -170,6 +175,8 @@ private:
   MachineOptions machine_;
   RegionQuery query_;
   AccuracyOption accuracy_;
+  CertificateOption certificate_;
+  LargestRegion region_;
   bool progress_ = false;
   bool multi_precision_ = false;
   ShapeOptions shape_;

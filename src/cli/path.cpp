@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <deque>
 
+#include "certificate_option.h"
 #include "command.h"
 #include "common_options.h"
 #include "output.h"
@@ -56,6 +57,7 @@ public:
     options.count("max-looks", task_.query.max_looks, MOST_BOXES,
                   "pieces looked at before the rest stays undecided, beside what the length of the path calls for");
     declareTimeLimit(options, time_limit_);
+    certificate_.declare(options);
     options.flag("progress", progress_, PROGRESS_HELP);
     declareCriterion(options, criterion_, machine_);
   }
@@ -66,7 +68,9 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
+    certificate_.validate(machine, criterion_);
     const PathReport report = check();
+    verdict_ = report.result.verdict;
     const PathResult& result = report.result;
     Json json = contextOf(machine, criterion_);
     json["verdict"] = name(result.verdict);
@@ -98,6 +102,14 @@ public:
     return answer;
   }
 
+  void save() override
+  {
+    if (certificate_.given() && (verdict_ != Containment::INSIDE || source_.job().isGiven()))
+      throw std::invalid_argument(source_.job().isGiven() ? "certificates do not know jobs in G-code yet"
+                                                          : "the path is not inside: there is nothing to certify");
+    certificate_.save(machine_.machine(), criterion_, segments_);
+  }
+
 private:
   PathReport check()
   {
@@ -116,7 +128,13 @@ private:
 
   void describePath()
   {
-    task_.for_each = [this](const auto& use) { source_.text().handOver(use); };
+    task_.for_each = [this](const auto& use) {
+      source_.text().handOver([&](const PathSegment& segment) {
+        if (certificate_.given())
+          segments_.push_back(segment);
+        use(segment);
+      });
+    };
     task_.tell = [this](const SegmentCheck& check) {
       checks_.emplace_back(check);
       if (check.rates)
@@ -185,6 +203,9 @@ private:
   Criterion criterion_;
   PathTask task_;
   PathSource source_;
+  CertificateOption certificate_;
+  std::vector<PathSegment> segments_;  ///< for the certificate
+  Containment verdict_ = Containment::UNDECIDED;
   double time_limit_;
   bool progress_ = false;
   std::deque<KeptCheck> checks_;  ///< one for each segment

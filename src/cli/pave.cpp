@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <stdexcept>
 
+#include "certificate_option.h"
 #include "command.h"
 #include "common_options.h"
 #include "mesh_options.h"
@@ -84,6 +85,7 @@ public:
     declareBudget(options, query_.budget);
     declareOutput(options, "save", save_, "file to write the boxes to, with those left open; a file there is replaced");
     paved_.mesh.declare(options, save_);
+    certificate_.declare(options);
     options.text(
         "resume", resume_, "FILE",
         "file of an earlier run for the same machine, set, criterion and box to go on from, at any resolution: "
@@ -106,6 +108,7 @@ public:
 
   Answer answer() override
   {
+    certificate_.validate(machine_.machine(), query_.criterion);
     query_.budget.stop = stopOnSignal();
     query_.resolution = resolution_ ? *resolution_ : defaultResolution(machine_.machine(), query_);
     const std::vector<PavingQuery> queries = this->queries();
@@ -134,6 +137,7 @@ public:
 
   void save() override
   {
+    certificate_.save(machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
     if (!save_.empty())
     {
       std::vector<Paving> pavings;
@@ -209,6 +213,7 @@ private:
   bool components_ = false;
   bool progress_ = false;
   std::string save_;
+  CertificateOption certificate_;
   std::string resume_;
   std::int64_t list_boxes_ = 0;
   Paved paved_;

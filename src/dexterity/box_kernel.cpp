@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box_kernel_impl.h"
 
+#include <cmath>
+
 namespace pkm_workspace
 {
 BoxKernel::~BoxKernel() = default;
+
+int exponentPerLength(double squared_scale)
+{
+  int exponent = 0;
+  std::frexp(squared_scale, &exponent);
+  return -exponent / 2;
+}
 
 // In files of their own, compiled for processors that have these instructions.
 const BoxKernel* makeAvx2Kernel(const MachineModel<double>& model);

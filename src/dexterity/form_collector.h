@@ -11,11 +11,10 @@ namespace pkm_workspace
 template <class Real>
 std::array<Real, 4> powersPerLength(const Real& squared_scale)
 {
-  int exponent = 0;
-  frexp(squared_scale[0], &exponent);
+  const int exponent = exponentPerLength(squared_scale[0]);
   std::array<Real, 4> powers;
   for (int power = 0; power < 4; ++power)
-    powers[static_cast<std::size_t>(power)] = Real(ldexp(1.0, -exponent / 2 * power));
+    powers[static_cast<std::size_t>(power)] = Real(ldexp(1.0, exponent * power));
   return powers;
 }
 

@@ -160,8 +160,12 @@ CenterSpace centerSpace(const Machine& machine, const RegionQuery& query)
   else if (!machine.hasTolerances() && onlyJointsChangeAlongRails(machine, query.criterion) &&
            (!query.turns() || runAlongAxis(machine, 2)))
     space.centers = space.travel.emplace(machine, query, space.size_bound).places();
-  else if (query.search_box)
-    space.centers = intersection(bounds, *query.search_box);
+  else
+  {
+    space.centers = query.plain_bounds.value_or(bounds);
+    if (query.search_box)
+      space.centers = intersection(space.centers, *query.search_box);
+  }
   if (!space.centers.isValid())
   {
     space.size_bound = 0.0;  // nor does a center

@@ -68,28 +68,32 @@ bool CenterTest::add(const TurningForm& form, const Term& term)
   forms_.push_back(form);
   if (keeps_reasons_)
     terms_.push_back(withForm(term(), form.form));
-  const auto& [center, gradient, radius] = form.form;
-  programme_.add(
-      { center + radius + form.turn.radius, { gradient[0], gradient[1], gradient[2], form.turn.value, -ROOM } });
+  const auto& [center, g, radius] = form.form;
+  programme_.add({ center + radius + form.turn.radius, { g[0], g[1], g[2], form.turn.value, -ROOM } });
   return false;
 }
 
 /// @return true when that alone excludes the box
 bool CenterTest::addTravel(const Box& places, double size)
 {
-  const auto addAll = [&](const auto& over_node) {
-    return std::any_of(travel_forms_.begin(), travel_forms_.end(), [&](const AffineForm<double>& form) {
-      return add(perLength(test_) * over_node(form), [] { return ReasonTerm{ ReasonTerm::Kind::TRAVEL }; });
+  const auto addAll = [&](const GrowingVector& place, const auto& over_node) {
+    return std::any_of(travel_forms_.begin(), travel_forms_.end(), [&](const TravelForm& travel) {
+      return add(perLength(test_) * over_node(travel.form), [&] {
+        ReasonTerm result{ ReasonTerm::Kind::TRAVEL, place };
+        result.limit = travel.limit;
+        return result;
+      });
     });
   };
   travel_forms_.clear();
   travel_->addSearchBox(places, travel_forms_);
-  bool excluded = addAll([](const AffineForm<double>& form) { return TurningForm{ form }; });
+  bool excluded =
+      addAll(scaling(Eigen::Vector3d::Zero()), [](const AffineForm<double>& form) { return TurningForm{ form }; });
   for (std::size_t k = 0; k < witnesses_.ofShape().size() && !excluded; ++k)
   {
     travel_forms_.clear();
     travel_->addForms(box_.moved(size, places_[k]), travel_forms_);
-    excluded = addAll([&](const AffineForm<double>& form) { return overNode(k, form); });
+    excluded = addAll(witnesses_.ofShape()[k], [&](const AffineForm<double>& form) { return overNode(k, form); });
   }
   return excluded;
 }
@@ -124,9 +128,8 @@ bool CenterTest::reachesInto(const StrutSphere& sphere, double size) const
   });
 }
 
-/// What a region shares with the cone of a sphere is on one side of it: on which one, a point tells that is there for
-/// all centers of the box.
-/// @return true when all regions have points on both sides
+/// What a region shares with the cone of a sphere is on one side of it; a point tells which one, if it is there for all
+/// centers of the box. @return true when all regions have points on both sides
 bool CenterTest::addSphere(const StrutSphere& sphere, const Box& centers, double size)
 {
   excesses_.clear();
@@ -205,7 +208,7 @@ bool CenterTest::addCuts()
 }
 
 /// A region that is thinner than the box of centers meets a point only near its own height: a bad point stands for
-/// those beside it where all of them are bad, up to the ends of the centers.
+/// those beside it where all of them are bad, up to the ends of the centers; in reasons for itself only.
 CenterTest::BadPoint CenterTest::alongThinAxes(const Eigen::Vector3d& known, const Box& centers, double size) const
 {
   const Eigen::Vector3d half = half_extents_.at(size);
@@ -218,9 +221,9 @@ CenterTest::BadPoint CenterTest::alongThinAxes(const Eigen::Vector3d& known, con
       all.upper[axis] = centers.upper[axis];
       beside.point[axis] = beside.centers.lower[axis] = beside.centers.upper[axis] = centers.center()[axis];
     }
-  const bool is_point = all.lower == known && all.upper == known;
-  const bool is_proved = is_point || (!travel_ && test_.classify(all) == BoxVerdict::OUTSIDE);
-  return is_proved ? beside : BadPoint{ known, centers };
+  const bool is_more = all.lower != known || all.upper != known;
+  const auto isBad = [&] { return !travel_ && !keeps_reasons_ && test_.classify(all) == BoxVerdict::OUTSIDE; };
+  return is_more && !isBad() ? BadPoint{ known, centers } : beside;
 }
 
 /// @return true when a point that is known to be bad lies within every region: that alone excludes the box
@@ -280,8 +283,8 @@ std::optional<Closing> CenterTest::excludes(const Box& centers, double size, con
   terms_.clear();
   programme_.reset({ 0.0, 0.0, 0.0, 0.0, 1.0 });
   room_ = ROOM;
-  if (const auto excluded = excludesAlone(centers, size, kernel))
-    return excluded;
+  if (const auto alone = excludesAlone(centers, size, kernel))
+    return alone;
   for (int round = 0; round < ROUNDS && !forms_.empty(); ++round)
   {
     const bool feasible = programme_.solve();

@@ -34,9 +34,11 @@ int wholeAxis(const BoxTest& test, const Shape& shape)
 class Proof : public BranchingDefaults
 {
 public:
-  Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size, const Budget& budget)
+  Proof(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size, const Budget& budget,
+        const CutLog& cuts)
     : test_(test)
     , limits_(budget)
+    , cuts_(cuts)
     , budget_(budget)
     , search_(test, shape, center, size)
     , crossing_(test.spheres())
@@ -110,7 +112,7 @@ private:
       if (flattened(bounds).canBisect(axis))
         for (std::size_t k = parts.size(); k-- > 0;)
         {
-          const auto halves = parts[k].bisect(axis);
+          const auto halves = split(parts[k], axis, parts[k].center()[axis]);
           parts[k] = halves.first;
           parts.push_back(halves.second);
         }
@@ -227,6 +229,13 @@ private:
     return part;
   }
 
+  std::pair<Box, Box> split(const Box& part, int axis, double plane) const
+  {
+    if (cuts_)
+      cuts_(part, axis, plane);
+    return part.splitAt(axis, plane);
+  }
+
   bool divide(const Box& part, const AffineForm<double>& worst)
   {
     const Box flat = flattened(part);
@@ -234,7 +243,7 @@ private:
     if (result_.is_within_rounding)
       return false;
     const Cut cut = cutOff(flat, worst);
-    const auto halves = part.splitAt(cut.axis, cut.plane);
+    const auto halves = split(part, cut.axis, cut.plane);
     open(halves.second);
     open(halves.first);
     return true;
@@ -242,6 +251,7 @@ private:
 
   const BoxTest& test_;
   const Budget& limits_;
+  const CutLog& cuts_;
   const RunningBudget budget_;
   BadPointSearch search_;
   SphereCrossing crossing_;
@@ -257,9 +267,9 @@ private:
 }  // namespace
 
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
-                                   const Budget& budget)
+                                   const Budget& budget, const CutLog& cuts)
 {
-  return Proof(test, shape, center, size, budget).run();
+  return Proof(test, shape, center, size, budget, cuts).run();
 }
 
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,

@@ -156,7 +156,9 @@ Interval angleTo(const GivenCircle& circle, const Vector3d& end, Checks& checks)
 PathSegment PathSegment::line(const Vector3d& start, const Vector3d& end)
 {
   Checks("line").point("start", start).point("end", end).throwIfAny();
-  return PathSegment(Curve::line(start, end));
+  PathSegment segment(Curve::line(start, end));
+  segment.ends_ = { start, end };
+  return segment;
 }
 
 PathSegment PathSegment::arc(const Vector3d& start, const Vector3d& center, const Vector3d& axis, double angle,

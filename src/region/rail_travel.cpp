@@ -119,7 +119,7 @@ Box RailTravel::centers() const
   return search_box_ ? intersection(box, *search_box_) : box;
 }
 
-void RailTravel::addForms(const CenteredBox<double>& points, std::vector<AffineForm<double>>& forms) const
+void RailTravel::addForms(const CenteredBox<double>& points, std::vector<TravelForm>& forms) const
 {
   if (!binds_)
     return;
@@ -133,11 +133,12 @@ void RailTravel::addForms(const CenteredBox<double>& points, std::vector<AffineF
         continue;
       AffineForm<double> form = limits.form(static_cast<std::size_t>(leg), side, place);
       form.gradient[static_cast<std::size_t>(axis_)] = (side == 0 ? sense(leg) : -sense(leg)) * reach_;
-      forms.push_back(form);
+      const ConditionKind kind = side == 0 ? ConditionKind::JOINT_LOWER : ConditionKind::JOINT_UPPER;
+      forms.push_back({ form, Subject{ kind, static_cast<std::size_t>(leg) } });
     }
 }
 
-void RailTravel::addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const
+void RailTravel::addSearchBox(const Box& places, std::vector<TravelForm>& forms) const
 {
   const CenteredBox<double> centered(places);
   AffineForm<double> travel;
@@ -148,8 +149,8 @@ void RailTravel::addSearchBox(const Box& places, std::vector<AffineForm<double>>
     if (j == axis_ || e == Interval(0.0))
       continue;
     const AffineForm<double> center = coordinate(centered, static_cast<std::size_t>(j)) + Enclosed<double>(e) * travel;
-    forms.push_back(center + Enclosed<double>(Interval(-search_box_->lower[j])));
-    forms.push_back(-center + Enclosed<double>(Interval(search_box_->upper[j])));
+    forms.push_back({ center + Enclosed<double>(Interval(-search_box_->lower[j])) });
+    forms.push_back({ -center + Enclosed<double>(Interval(search_box_->upper[j])) });
   }
 }
 

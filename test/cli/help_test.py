@@ -9,7 +9,7 @@ import subprocess
 import unittest
 from xml.etree import ElementTree
 
-from pkm import DATA, MACHINES, URDF, CommandTest
+from pkm import DATA, MACHINES, ORTHOGLIDE, URDF, CommandTest
 
 TOLERANCES = {"tolerance-" + name for name in ("length", "slider", "slider-ball", "platform", "platform-ball",
                                                "direction", "zero")} | {"tolerances"}
@@ -29,14 +29,17 @@ COMMON = {"json", "help"}
 OPTIONS = {
     "evaluate": MACHINE | CRITERION | COMMON | TIME | {"point", "points"},
     "largest": MACHINE | CRITERION | BUDGET | COMMON
-    | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "turned", "multi-precision"},
-    "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision"},
+    | SHAPE | MEASURES | {"accuracy", "search-box", "center", "base-z", "turned", "multi-precision",
+                        "certificate"},
+    "check": MACHINE | CRITERION | COMMON | BODY | TIME | {"center", "centers", "max-boxes", "multi-precision",
+                                                           "certificate"},
+    "verify": COMMON | {"file", "progress"},
     "path": MACHINE | CRITERION | COMMON | TIME
     | {"file", "segment", "tool-speed", "largest-feed", "joint-speeds-off", "joint-acceleration-max", "max-looks",
        "gcode", "interpreter", "origin", "tool-at", "work-offset", "tool-length", "tool-diameter", "rapid-feed",
-       "most-listed"},
+       "most-listed", "certificate"},
     "pave": MACHINE | CRITERION | BUDGET | COMMON | {"resolution", "box", "volume-to", "mesh", "outer-mesh", "octomap",
-                                                     "save", "resume", "list-boxes", "components"},
+                                                     "save", "resume", "list-boxes", "components", "certificate"},
     "connect": MACHINE | CRITERION | BUDGET | COMMON | {"from", "to", "resolution", "box"},
     "compare": MACHINE | SHARED_CRITERION | BUDGET | COMMON
     | SHAPE | MEASURES | {"paper", "accuracy", "multi-precision"},
@@ -99,6 +102,7 @@ class Help(CommandTest):
             (self.folder / f"{name}.urdf").symlink_to(path)
         self.file("delta.urdf", self.text("import", DATA / "firmware" / "klipper.cfg"))
         (self.folder / "printer.cfg").symlink_to(DATA / "firmware" / "klipper.cfg")
+        self.text("largest", "--urdf", ORTHOGLIDE, "--certificate", "cube.json")
         for command in OPTIONS:
             examples = re.findall(r"(?m)^  pkm (.*)$", self.text(command, "--help"))
             self.assertGreater(len(examples), 0, command)

@@ -16,7 +16,8 @@ import sys
 # Each folder, with those of its own package that it may include besides itself; "" is what stands beside the folders.
 COMMON = {"interval", "common"}
 BELOW_DEXTERITY = COMMON | {"machine"}
-CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "tasks", "study", "urdf_io", "import"}
+CORE = BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "tasks", "study", "urdf_io", "import",
+                          "certificate"}
 LAYERS = {
     "": set(),
     "interval": set(),
@@ -28,6 +29,7 @@ LAYERS = {
     "report": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "tasks": BELOW_DEXTERITY | {"dexterity", "region", "paving", "report", "import"},
     "study": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
+    "certificate": BELOW_DEXTERITY | {"dexterity", "region", "paving"},
     "urdf_io": BELOW_DEXTERITY,
     "import": BELOW_DEXTERITY,
     "cli": CORE,

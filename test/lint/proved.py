@@ -48,6 +48,8 @@ COVERED = {
     "Proved for every point: ": {COMMAND: ("guarantee", ), NODE: ("guarantee", )},
     "Nothing is proved of ": {COMMAND: ("no guarantee", ), NODE: ("no guarantee", )},
     "hinge_limits cannot be proved: ": HELP,
+    "the certificate cannot be written: the region is not proved once more": HELP,
+    "a point that is not proved to be bad": HELP,
     "the set has no proved volume.": {COMMAND: ("no mean", ), NODE: ("no mean", )},
     "Proved: the points of the box that are ": {COMMAND: ("volume", ), NODE: ("set", )},
     "Proved: the boxes inside form ": {COMMAND: ("components", ), NODE: ("components", )},

@@ -8,6 +8,7 @@ import sys
 
 COLUMNS = 120
 FILE_LINES = 300
+LONGER = {"check_certificate.py": 500}  # in one piece for who does not trust the rest
 FUNCTION_LINES = 40
 MAIN_LINES = 25
 FOLDERS = ("include", "src", "test", "bench", "scripts")
@@ -43,8 +44,9 @@ def problems(path):
     for number, line in enumerate(lines, 1):
         if len(line) > COLUMNS:
             yield f"{path}:{number}: {len(line)} columns, at most {COLUMNS} allowed"
-    if len(lines) >= FILE_LINES:
-        yield f"{path}: {len(lines)} lines, fewer than {FILE_LINES} allowed"
+    most = LONGER.get(path.name, FILE_LINES)
+    if len(lines) >= most:
+        yield f"{path}: {len(lines)} lines, fewer than {most} allowed"
     if path.suffix not in (".h", ".cpp"):
         return
     for number, header, length in functions(lines):

@@ -30,6 +30,10 @@ struct FormOrigin
   std::array<double, 3> v;  ///< rounded, where the form is from multi-precision
 };
 
+/// The exponent of the power of two that makes lengths of a machine numbers without unit in these forms.
+/// @param squared_scale LegModels::squaredScale() [m^2]
+int exponentPerLength(double squared_scale);
+
 /// What the criterion makes necessary at the points of one box, as affine forms that are negative nowhere in its set.
 struct NecessaryForms
 {

@@ -92,7 +92,7 @@ private:
   GrowingVector half_extents_;
   std::vector<NecessaryForms> necessary_;  ///< one for each witness point
   std::vector<TurningForm> forms_;
-  std::vector<AffineForm<double>> travel_forms_;
+  std::vector<TravelForm> travel_forms_;
   std::vector<GrowingVector> between_;  ///< points of the family, exactly, between its extreme points
   CenteredBox<double> box_;             ///< moved by the place of a point, it holds those of its point
   std::vector<GrowingVector> places_;   ///< of the witness points, then of those between

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "pkm_workspace/dexterity/verdict.h"
@@ -31,10 +32,14 @@ struct ContainmentResult
   double seconds = 0.0;
 };
 
+/// Is told each part of a region's bounding box that is divided, and by which plane across which axis [m].
+using CutLog = std::function<void(const Box& part, int axis, double plane)>;
+
 /// Whether c + K(h) satisfies the criterion. Looks for a bad point by local search first and subdivides afterwards.
-/// @param budget when it is over, the proof ends: UNDECIDED
+/// @param budget when it is over, the proof ends: UNDECIDED @param cuts the tree of a proof, if wanted: its leaves are
+/// proved, or have no point of the region
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
-                                   const Budget& budget);
+                                   const Budget& budget, const CutLog& cuts = nullptr);
 ContainmentResult checkContainment(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size,
                                    std::int64_t max_boxes = 1000000);
 }  // namespace pkm_workspace

@@ -49,7 +49,9 @@ struct RegionQuery
   /// above that of the cylinder found if its height, at the same ratio, were larger by this.
   double accuracy = 1e-3;
   Precision precision = Precision::DOUBLE;
-  std::optional<Box> search_box;                        ///< bounds the center [m]; a side may have zero width
+  std::optional<Box> search_box;  ///< bounds the center [m]; a side may have zero width
+  /// Where centers are searched in place of the tightest box around the set: a wider one, whose derivation is simple.
+  std::optional<Box> plain_bounds;
   std::optional<double> base_z;                         ///< regions stand on this plane [m]: see setPlace()
   Interval angles = 0.0;                                ///< by which regions may be turned about z [rad]: setTurned()
   Budget budget;                                        ///< max_boxes counts boxes of centers

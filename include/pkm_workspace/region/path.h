@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 
 #include "pkm_workspace/interval/curve.h"
 
@@ -44,6 +46,8 @@ public:
                              const Eigen::Vector3d& end, int turns = 1);
 
   const Curve& curve() const { return curve_; }
+  /// Start and end of what was made as a line, exactly [m].
+  const std::optional<std::array<Eigen::Vector3d, 2>>& ends() const { return ends_; }
   /// Nearly the point at t [m]; t from 0 to 1.
   Eigen::Vector3d point(double t) const { return mid(curve_.point(t)); }
 
@@ -53,5 +57,6 @@ private:
   static PathSegment endingAt(const Eigen::Vector3d& end, const Curve& curve, double radius);
 
   Curve curve_;
+  std::optional<std::array<Eigen::Vector3d, 2>> ends_;
 };
 }  // namespace pkm_workspace

@@ -13,6 +13,13 @@
 
 namespace pkm_workspace
 {
+/// What the travel leaves a region: a form that is not negative where it keeps a joint limit, or the search box [m].
+struct TravelForm
+{
+  AffineForm<double> form;
+  std::optional<Subject> limit{};  ///< which joint limit; nothing for the search box
+};
+
 /// How the regions of a query move along parallel rails. With e the direction of the first rail, every center is x + t
 /// e with its place x in the plane where one coordinate is the level. t changes each joint value by t or -t and nothing
 /// else of what a criterion asks for, so that places are all that has to be searched: a region c + K(h) that satisfies
@@ -37,9 +44,9 @@ public:
   /// Appends forms over a box of points, flat across the axis, and the travel t = reach * delta[axis], |t| <= reach,
   /// that are not negative where these keep the joint limits [m]. Valid where the struts reach. None where nothing
   /// binds.
-  void addForms(const CenteredBox<double>& points, std::vector<AffineForm<double>>& forms) const;
+  void addForms(const CenteredBox<double>& points, std::vector<TravelForm>& forms) const;
   /// The same over a box of places: not negative where the center lies in the search box.
-  void addSearchBox(const Box& places, std::vector<AffineForm<double>>& forms) const;
+  void addSearchBox(const Box& places, std::vector<TravelForm>& forms) const;
 
   /// The place of a point, in floating point.
   Eigen::Vector3d placeOf(const Eigen::Vector3d& point) const;

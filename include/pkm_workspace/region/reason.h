@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pkm_workspace/common/branch_and_bound.h"
@@ -21,11 +22,12 @@ struct ReasonTerm
   };
 
   Kind kind;
-  GrowingVector place = scaling(Eigen::Vector3d::Zero());    ///< of a condition or a sphere: the point of the body
+  GrowingVector place = scaling(Eigen::Vector3d::Zero());    ///< of all but bad points: the point of the body
   FormOrigin origin = { { ConditionKind::REACH }, {}, {} };  ///< of a condition: what the form says
   Eigen::Vector3d point = Eigen::Vector3d::Zero();           ///< of a bad point: itself; of a sphere: its center [m]
   AffineForm<double> form{};                                 ///< over the box of centers, without unit
   double weight = 1.0;                                       ///< >= 0
+  std::optional<Subject> limit{};                            ///< of the travel: the joint limit; none of the search box
 };
 
 /// Why no center of a box carries a region of a size, nor of a larger one: the sum of the terms' forms, times their

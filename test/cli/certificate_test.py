@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Certificates: both checkers hold them to their claims, and refuse what is altered."""
+
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import unittest
+
+from alterations import altered
+from crooked import crooked
+from pkm import ORTHOGLIDE, PKM, URANESX, URDF, CommandTest
+
+sys.path.insert(0, str(URDF.parent / "scripts"))
+import check_certificate  # noqa: E402
+
+SEED = 20261128
+ALTERED = 12 * int(os.environ.get("PKM_WORKSPACE_TEST_CASES", 1))
+PROTOTYPE = str(URDF / "orthoglide_prototype.urdf")
+
+
+class Certificate(CommandTest):
+    def write(self, *words, command="largest"):
+        """@return the answer, and what the certificate says"""
+        path = self.folder / "certificate.json"
+        answer = self.answer(command, *words, "--certificate", path)
+        return answer, json.loads(path.read_text()), path
+
+    @staticmethod
+    def by_python(data):
+        """@return the sentences without counts, or nothing if it refuses"""
+        try:
+            return [re.sub(r" \(\d+ boxes\)", "", sentence) for sentence in check_certificate.check(data)]
+        except (check_certificate.Refused, *check_certificate.NOT_UNDERSTOOD):
+            return None
+
+    @staticmethod
+    def by_pkm(text):
+        process = subprocess.run([PKM, "verify", "/dev/stdin", "--json"], input=text, capture_output=True, text=True)
+        answer = json.loads(process.stdout)
+        assert process.returncode == (1 if answer["refused"] else 0), process
+        return None if answer["refused"] else [re.sub(r" \(\d+ boxes\)", "", s) for s in answer["verified"]]
+
+    def check_both(self, data, *claims):
+        self.assertEqual(self.by_python(data), list(claims))
+        self.assertEqual(self.by_pkm(json.dumps(data)), list(claims))
+
+    REGION = "every point of the region satisfies the criterion"
+
+    def test_both_checkers_hold_every_kind_of_search_to_its_bracket(self):
+        urdf = self.folder / "crooked.urdf"
+        urdf.write_text(crooked(random.Random(SEED)))
+        for words in (("--urdf", ORTHOGLIDE, "--accuracy", 1e-4),
+                      ("--urdf", ORTHOGLIDE, "--aspect", "other", "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--shape", "sphere", "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--shape", "cylinder", "--radius", 0.2, "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--shape", "disc", "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--base-z", 0.1, "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--search-box", -0.1, 0.1, -0.1, 0.1, 0.1, 0.2, "--accuracy", 1e-3),
+                      ("--urdf", ORTHOGLIDE, "--set", "reachable", "--force-min", 0.6, "--accuracy", 1e-3),
+                      ("--urdf", PROTOTYPE, "--accuracy", 1e-4),
+                      ("--urdf", URANESX, "--shape", "square", "--accuracy", 1e-4),
+                      ("--urdf", URANESX, "--shape", "sphere", "--accuracy", 1e-2),
+                      ("--urdf", URANESX, "--shape", "square", "--search-box", -0.1, 0, -0.1, 0, -1, 1),
+                      ("--urdf", urdf, "--accuracy", 1e-3),
+                      ("--urdf", URDF / "tripod.urdf", "--joint-limits", "on", "--accuracy", 1e-3),
+                      ("--urdf", URDF / "mixed_legs.urdf", "--joint-limits", "on", "--accuracy", 1e-2),
+                      ("--urdf", URDF / "delta.urdf", "--accuracy", 0.05)):
+            with self.subTest(words=words):
+                answer, data, path = self.write(*words)
+                self.assertLess(path.stat().st_size, 200000)
+                self.assertEqual(data["region"]["size"], answer["size"])
+                where = " with its center in the search box" if "--search-box" in words or "--base-z" in words else ""
+                self.check_both(data, self.REGION,
+                                "no region larger than %r%s satisfies it" % (answer["size_upper_bound"], where))
+
+    def test_a_region_that_is_checked_has_one(self):
+        region = ("--center", 0.08, 0.08, 0.08, "--sides", 0.6, 0.55, 0.5)
+        _, data, _ = self.write("--urdf", ORTHOGLIDE, *region, command="check")
+        self.assertIsNone(data["bound"])
+        self.check_both(data, self.REGION)
+        _, data, _ = self.write("--urdf", PROTOTYPE, "--center", 0, 0, 0, "--radius", 0.05, command="check")
+        self.check_both(data, self.REGION)
+
+    def test_pavings_have_boxes_and_paths_have_pieces(self):
+        for words in (("--urdf", ORTHOGLIDE, "--resolution", 0.2), ("--urdf", PROTOTYPE, "--resolution", 0.05),
+                      ("--urdf", URANESX, "--joint-limits", "off", "--resolution", 0.05),
+                      ("--urdf", URDF / "delta.urdf", "--resolution", 0.2, "--time-limit", 600)):
+            answer, data, _ = self.write(*words, command="pave")
+            leaves = [node for node in data["boxes"]["tree"] if not isinstance(node, list)]
+            counts = (leaves.count(1), sum(isinstance(leaf, dict) for leaf in leaves))
+            self.assertEqual(counts[0], answer["boxes_inside"])
+            self.assertLess(leaves.count(0) - answer["boxes_boundary"], 0.1 * counts[1])  # what no single form says
+            self.check_both(data, "the points of %d boxes satisfy the criterion, and none of those in %d others" %
+                            counts)
+            bad = json.loads(json.dumps(data))
+            outside = next(k for k, node in enumerate(bad["boxes"]["tree"]) if isinstance(node, dict))
+            bad["boxes"]["tree"][outside] = 1
+            self.assertEqual((self.by_python(bad), self.by_pkm(json.dumps(bad))), (None, None))
+        segments = ("--segment", "start 0 0 0", "--segment", "line 0.1 0 0", "--segment", "line 0.1 0.2 0.29")
+        _, data, _ = self.write("--urdf", ORTHOGLIDE, *segments, command="path")
+        pieces = sum(len(cuts) - 1 for _, _, cuts in data["path"])
+        self.check_both(data, "every point of the path satisfies the criterion (2 segments, %d pieces)" % pieces)
+        for spoil in (lambda path: path[0][2].pop(), lambda path: path[1][1].__setitem__(2, 0.8),
+                      lambda path: path[0][2].insert(1, 1.5), lambda path: path[0][0].__setitem__(0, -1.5)):
+            bad = json.loads(json.dumps(data))
+            spoil(bad["path"])
+            self.assertEqual((self.by_python(bad), self.by_pkm(json.dumps(bad))), (None, None))
+
+    def test_whatever_is_altered_is_refused_by_both(self):
+        rng = random.Random(SEED)
+        for words in (("--urdf", ORTHOGLIDE), ("--urdf", ORTHOGLIDE, "--shape", "sphere", "--accuracy", 0.01),
+                      ("--urdf", URANESX, "--shape", "square"), ("--urdf", PROTOTYPE),
+                      ("--urdf", ORTHOGLIDE, "--shape", "cylinder", "--radius", 0.2, "--accuracy", 0.01)):
+            _, data, _ = self.write(*words)
+            for k in range(ALTERED):
+                false, how = altered(rng, data)
+                with self.subTest(words=words, how=how, number=k, seed=SEED):
+                    self.assertIsNone(self.by_python(false))
+                    self.assertIsNone(self.by_pkm(json.dumps(false)))
+
+    def test_what_certificates_do_not_know_is_refused_before_the_search(self):
+        path = self.folder / "arc.json"
+        arc = ("--segment", "start 0 0 0", "--segment", "arc 0.2 0.1 0 0.1 0.2 0")
+        process = subprocess.run([PKM, "path", "--urdf", ORTHOGLIDE, *arc, "--certificate", path], capture_output=True,
+                                 text=True)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("do not know arcs yet", process.stderr)
+        self.assertFalse(path.exists())
+        for words, what in ((("--stiffness-min", 1e6, "--joint-stiffness", 1e8), "stiffness"),
+                            (("--kappa-max", 3), "the condition number"),
+                            (("--turned",), "turned regions"),
+                            (("--shape", "cylinder", "--ratio", 0.4, 0.6), "free ratio"),
+                            (("--tolerance-length", 1e-4), "tolerances")):
+            path = self.folder / "none.json"
+            process = subprocess.run([PKM, "largest", "--urdf", ORTHOGLIDE, *map(str, words), "--certificate", path],
+                                     capture_output=True, text=True)
+            self.assertEqual((process.returncode, process.stdout), (2, ""), words)
+            self.assertRegex(process.stderr, "certificates do not know .*%s.*leave it out" % what)
+            self.assertFalse(path.exists())
+
+    def test_a_region_that_is_not_inside_has_none(self):
+        path = self.folder / "none.json"
+        process = subprocess.run([PKM, "check", "--urdf", ORTHOGLIDE, "--center", "0", "0", "0", "--sides", "2", "2",
+                                  "2", "--certificate", path], capture_output=True, text=True)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("outside", process.stdout)
+        self.assertIn("nothing to certify", process.stderr)
+        self.assertFalse(path.exists())
+
+    def test_the_script_says_what_it_has_verified_or_what_does_not_hold(self):
+        _, data, path = self.write("--urdf", ORTHOGLIDE)
+        script = [sys.executable, "-B", URDF.parent / "scripts" / "check_certificate.py", path]
+        process = subprocess.run(script, capture_output=True, text=True)
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertRegex(process.stdout, r"^Verified: every point of the .*\nVerified: no region larger than .*\n$")
+        data["region"]["size"] *= 1.1
+        path.write_text(json.dumps(data))
+        process = subprocess.run(script, capture_output=True, text=True)
+        self.assertEqual((process.returncode, process.stdout), (1, ""))
+        self.assertIn("refused: the region reaches beyond the box of its proof", process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
