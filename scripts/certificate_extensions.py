@@ -41,10 +41,11 @@ class RoundBody(core.Body):  # noqa: F821
         need(kind in ("ball", "cylinder"), "a body of kind %s" % kind)
         measures, self.round = data[kind], 3 if kind == "ball" else 2
         only(measures, "the body", "radius", *(("lower", "upper") if self.round == 2 else ()))
-        self.radius = measures["radius"]
+        self.radius = core.several(measures["radius"], 2)  # noqa: F821
         self.low, self.high = [[-x for x in self.radius]] * self.round, [self.radius] * self.round
         if self.round == 2:
-            self.low, self.high = self.low + [measures["lower"]], self.high + [measures["upper"]]
+            self.low = self.low + [core.several(measures["lower"], 2)]  # noqa: F821
+            self.high = self.high + [core.several(measures["upper"], 2)]  # noqa: F821
         need(all(a[k] <= 0 <= b[k] for a, b in zip(self.low, self.high) for k in (0, 1)), "a body without its center")
 
     def has(self, point):
@@ -106,12 +107,26 @@ class Travel(core.Bound):  # noqa: F821
         return sign * self.claims.legs[term["leg"]].sense if sign else 0
 
     def covers(self, j, sign, face):
-        e, search_box = self.claims.legs[0].axis, self.data["search_box"]
-        is_along_axis = all(e[k].c == e[k].r == 0 for k in range(3) if k != self.axis)
-        if j == self.axis or (search_box and is_along_axis and sign * search_box[sign > 0][j] <= sign * face):
+        search_box = self.data["search_box"]
+        if j == self.axis:
+            return self.claims.legs[0].axis[j].lower() > 0 or self.claims.legs[0].axis[j].upper() < 0
+        if search_box and self.is_along_axis() and sign * search_box[sign > 0][j] <= sign * face:
             return True
         u = [Form(sign * ONE * (k == j)) for k in range(3)]
         return any(self.covers_place(leg, u, form(sign * face)) for leg in self.claims.legs)
+
+    def is_along_axis(self):
+        e = self.claims.legs[0].direction
+        return all(e[k].c == e[k].r == 0 for k in range(3) if k != self.axis)
+
+    def rest_of_search_box(self, travel):
+        """How far the travel, times this, may make a sum grow while centers are in the search box; None if unknown."""
+        if self.data["search_box"] is None or not self.is_along_axis():
+            return None
+        (low, high), level = ([Fraction(corner[self.axis]) for corner in self.data["search_box"]],
+                              Fraction(self.data["centers"][0][self.axis]))
+        is_up = (self.claims.legs[0].direction[self.axis].c > 0) == (travel > 0)
+        return high - level if is_up else level - low
 
     def covers_place(self, leg, u, most):
         """By one rail and the plane that places lie in, where q_k + t e_k is known along its axis k."""
@@ -125,11 +140,14 @@ class Travel(core.Bound):  # noqa: F821
 
     def excludes(self, low, high, leaf):
         total = self.sum(low, high, leaf)
-        if total is None:
-            return False
-        travel = sum(Fraction(term["weight"]) * self.push(term) for term in leaf["terms"])
+        if total is None or self.out_of_reach(low, high, leaf):
+            return total is not None
+        travel = sum(Fraction(term["weight"]) * self.push(term) for term in leaf["terms"] if "at" in term)
         if travel == 0:
             return total.upper() < 0
+        rest = self.rest_of_search_box(travel)
+        if rest is not None and (total + exact(abs(travel) * rest)).upper() < 0:
+            return True
         legs = self.claims.at(core.box(low, high))  # noqa: F821
         for i in range(3):  # what is left of the travel is bounded by a limit at the center
             for name, limit in zip(("joint_lower", "joint_upper"), self.claims.limits(i)):
@@ -151,7 +169,7 @@ class Boxes:
 
     def verify(self):
         good, bad = 0, 0
-        for low, high, leaf in core.boxes(self.data["tree"], *self.data["box"]):  # noqa: F821
+        for low, high, leaf in core.boxes(self.data["tree"], *core.several(self.data["box"], 2)):  # noqa: F821
             if leaf == 1:
                 core.proved(self.inside, low, high, core.SPLITS, "the criterion")  # noqa: F821
                 middle = [exact((Fraction(a) + Fraction(b)) / 2) for a, b in zip(low, high)]
@@ -183,9 +201,11 @@ class Path:
 
     def verify(self):
         count = 0
-        for start, end, cuts in self.data:
-            need(cuts[0] == 0 and cuts[-1] == 1 and sorted(cuts) == cuts, "pieces that are not the whole segment")
-            ends = [[form(x) for x in point] for point in (start, end)]
+        need(isinstance(self.data, list) and self.data, "a path without segments")
+        for start, end, cuts in (core.several(segment, 3) for segment in self.data):  # noqa: F821
+            need(len(cuts) > 1 and cuts[0] == 0 and cuts[-1] == 1 and sorted(cuts) == cuts,
+                 "pieces that are not the whole segment")
+            ends = [[form(x) for x in core.several(point, 3)] for point in (start, end)]  # noqa: F821
             need(core.in_aspect(self.claims, ends[0]), "a segment is in another aspect")  # noqa: F821
             for first, last in zip(cuts, cuts[1:]):
                 core.proved(lambda a, b: self.inside(ends, a, b), [first, 0, 0], [last, 0, 0],  # noqa: F821
@@ -204,7 +224,9 @@ class Telescope:
 
     def __init__(self, data, _directions, _steepest):
         only(data, "a leg", "joint", "kind", "center", "length", "limits")
-        self.center, self.length, self.limits = [form(x) for x in data["center"]], form(data["length"]), data["limits"]
+        self.center = [form(x) for x in core.several(data["center"], 3)]  # noqa: F821
+        self.length, self.limits = form(data["length"]), core.several(data["limits"], 2)  # noqa: F821
+        need(self.length.lower() > 0, "a strut without length")
 
     def at(self, p):
         x = [a - b for a, b in zip(p, self.center)]
@@ -237,19 +259,20 @@ class Crank:
     def __init__(self, data, _directions, steepest):
         only(data, "a leg", "joint", "kind", "center", "along", "across", "radius", "length", "working_mode",
              "drive_scale", "limits")
-        self.center, self.u, self.v = ([form(x) for x in data[name]] for name in ("center", "along", "across"))
+        self.center, self.u, self.v = ([form(x) for x in core.several(data[name], 3)]  # noqa: F821
+                                       for name in ("center", "along", "across"))
         for a, b, product in ((self.u, self.u, ONE), (self.v, self.v, ONE), (self.u, self.v, 0)):
             need(dot(a, b).lower() <= product <= dot(a, b).upper(), "a crank's directions are no unit vectors across")
         self.radius, self.length, self.mode = form(data["radius"]), form(data["length"]), data["working_mode"]
         need(self.mode in (1, -1) and min(self.radius.lower(), self.length.lower()) > 0, "a crank that is none")
-        scale, self.limits = data["drive_scale"], data["limits"]
+        scale, self.limits = data["drive_scale"], core.several(data["limits"], 2)  # noqa: F821
         self.gear = Form(ONE) if scale is None else self.radius * inverse(form(scale))
         self.square = self.length * self.length
         self.least, self.least_beta = 0, 0
         if steepest:
             self.least = self.square.lower() * (ONE * ONE // (steepest * steepest).upper()) // ONE
             self.least_beta = self.least * (ONE * ONE // (self.gear * self.gear).upper()) // ONE
-        need(self.limits == [None, None] or 0 <= self.limits[1] - self.limits[0] <= 3.14,
+        need(self.limits == [None, None] or 0 < self.limits[1] - self.limits[0] <= 3.14,
              "limits of a crank that are a half turn apart")
         self.ends = [cosine_and_sine(x) for x in self.limits if x is not None]
 

@@ -28,6 +28,38 @@ def need(holds, what):
         raise Refused(what)
 
 
+def only(data, what, *members):
+    """Refuses members that are not known: they may change what is claimed."""
+    need(isinstance(data, dict) and set(data) <= set(members), "%s has members that are not known here" % what)
+
+
+def several(data, count):
+    need(isinstance(data, list) and len(data) == count, "%s are no %d values" % (data, count))
+    return data
+
+
+def at_index(data, index):
+    need(isinstance(index, int) and 0 <= index < len(data), "the number %s counts nothing" % index)
+    return data[index]
+
+
+def once(pairs):
+    need(len(dict(pairs)) == len(pairs), "a member that is there twice")
+    return dict(pairs)
+
+
+def sane(data, may_be_truth=False):
+    """Refuses numbers that others may read as something else."""
+    if isinstance(data, (list, dict)):
+        for name, value in data.items() if isinstance(data, dict) else enumerate(data):
+            sane(value, name == "joint_limits")
+    elif isinstance(data, bool):
+        need(may_be_truth, "a truth value in place of a number")
+    elif isinstance(data, (int, float)):
+        most = 2 ** 53 - 1 if isinstance(data, int) else 1e100
+        need(abs(data) <= most, "the number %s is out of range" % data)
+
+
 def below(x):
     """The largest integer that is no larger than x."""
     top, bottom = x.as_integer_ratio()
@@ -133,15 +165,15 @@ class Leg:
     def __init__(self, data, directions, steepest):
         only(data, "a leg", "joint", "kind", "center", "direction", "sense", "length", "working_mode", "limits")
         need(data["working_mode"] in (1, -1) and data["sense"] in (1, -1), "a sign that is none")
-        self.direction, self.sense = directions[data["direction"]], data["sense"]
-        self.center = [form(x) for x in data["center"]]
+        self.direction, self.sense = at_index(directions, data["direction"]), data["sense"]
+        self.center = [form(x) for x in several(data["center"], 3)]
         self.axis = [x if self.sense > 0 else -x for x in self.direction]
         self.length, self.mode = form(data["length"]), data["working_mode"]
         need(self.length.lower() > 0, "a strut without length")
         self.square = self.length * self.length
-        self.limits = data["limits"]
+        self.limits = several(data["limits"], 2)
         # where |n| <= steepest |b| is asked for, b^2 is at least this share of L^2 there, and |q|^2 at most the rest
-        share = ONE * ONE // (steepest * steepest).upper() if steepest else 0
+        share = min(ONE, ONE * ONE // (steepest * steepest).upper()) if steepest else 0
         self.least = self.square.lower() * share // ONE
         self.radius = math.isqrt(self.square.upper() * (ONE - share)) + 1
 
@@ -188,19 +220,21 @@ class Claims:
         only(asked, "the criterion", "psi_min", "psi_max", "joint_limits", "aspect")
         only(data["machine"], "the machine", "name", "directions", "legs")
         self.factor = {name: form(asked[name]) for name in ("psi_min", "psi_max") if name in asked}
+        need(all(x.lower() > 0 for x in self.factor.values()), "a factor that is not positive")
+        need(asked["joint_limits"] in (True, False), "joint limits that hold neither nor do not")
         self.square = {name: x * x for name, x in self.factor.items()}
         self.aspect = asked["aspect"]
         need(self.aspect in (-1, 0, 1), "an aspect that is none")
-        directions = [[form(x) for x in e] for e in data["machine"]["directions"]]
+        directions = [[form(x) for x in several(e, 3)] for e in data["machine"]["directions"]]
         for e in directions:
             need(dot(e, e).lower() <= ONE <= dot(e, e).upper(), "a direction whose length is not 1")
         self.legs = []
-        for leg in data["machine"]["legs"]:
+        for leg in several(data["machine"]["legs"], 3):
             kind = Leg if leg["kind"] == "sliding_strut" else extension("LEGS")[leg["kind"]]
             self.legs.append(kind(leg, directions, self.factor.get("psi_max")))
-        need(len(self.legs) == 3, "a machine without three legs")
         self.body = data["body"]
         if self.body is not None:
+            need(len(self.body) == 1, "one body is wanted")
             self.body = Body(self.body) if "box" in self.body else extension("RoundBody")(self.body)
 
     def limits(self, i):
@@ -218,7 +252,7 @@ class Claims:
         name, i = term["of"], term.get("leg", 0)
         need(i in (0, 1, 2), "no such leg")
         if name in self.factor:
-            v = [form(x) for x in term["v"]]
+            v = [form(x) for x in several(term["v"], 3)]
             s = self.matrix(name, legs)
             two = Form(2 * ONE)
             return (dot([x * x for x in v], s[:3]) +
@@ -244,7 +278,8 @@ class Body:
 
     def __init__(self, data):
         only(data["box"], "the body", "lower", "upper")
-        self.low, self.high = data["box"]["lower"], data["box"]["upper"]
+        self.low, self.high = ([several(pair, 2) for pair in several(data["box"][name], 3)]
+                               for name in ("lower", "upper"))
         need(all(a[k] <= 0 <= b[k] for a, b in zip(self.low, self.high) for k in (0, 1)), "a body without its center")
 
     @staticmethod
@@ -283,7 +318,7 @@ class Body:
 
 def boxes(tree, lower, upper):
     """The leaves of a tree of cuts, in the order in which they are written, with their boxes."""
-    open_boxes, nodes = [(list(lower), list(upper))], iter(tree)
+    open_boxes, nodes = [(several(lower, 3), several(upper, 3))], iter(tree)
     while open_boxes:
         low, high = open_boxes.pop()
         node = next(nodes, None)
@@ -291,7 +326,7 @@ def boxes(tree, lower, upper):
         if not isinstance(node, list):
             yield low, high, node
             continue
-        axis, plane = node
+        axis, plane = several(node, 2)
         need(axis in (0, 1, 2) and low[axis] <= plane <= high[axis], "a cut beside its box")
         open_boxes.append((low[:axis] + [plane] + low[axis + 1:], high))
         open_boxes.append((low, high[:axis] + [plane] + high[axis + 1:]))
@@ -319,12 +354,12 @@ class Region:
         only(data, "the region", "center", "size", "box", "tree")
         need(data["size"] >= 0, "a size below 0")
         self.claims, self.data, self.body = claims, data, claims.body
-        self.center = [Fraction(x) for x in data["center"]]
+        self.center = [Fraction(x) for x in several(data["center"], 3)]
         self.low = [c + self.body.measure(a, data["size"]) for c, a in zip(self.center, self.body.low)]
         self.high = [c + self.body.measure(b, data["size"]) for c, b in zip(self.center, self.body.high)]
 
     def verify(self):
-        lower, upper = self.data["box"]
+        lower, upper = (several(corner, 3) for corner in several(self.data["box"], 2))
         need(all(a <= x and y <= b for a, x, y, b in zip(lower, self.low, self.high, upper)),
              "the region reaches beyond the box of its proof")
         count = 0
@@ -379,13 +414,19 @@ class Bound:
     def __init__(self, claims, data):
         only(data, "the bound", "size", "centers", "search_box", "travel_axis", "points", "bad", "tree")
         self.claims, self.data = claims, data
-        need(all(claims.body.has(point) for point in data["points"]), "a point that the body does not have")
+        for point in data["points"]:
+            only(point, "a point", "fixed", "per_size")
+            need(several(point["fixed"], 3) and several(point["per_size"], 3) and claims.body.has(point),
+                 "a point that the body does not have")
+        for corner in several(data["search_box"], 2) if data["search_box"] is not None else ():
+            several(corner, 3)
 
     def verify(self):
         for term in self.data["bad"]:
-            here = self.claims.at([form(x) for x in term["point"]])
+            only(term, "a bad point", "point", "of", "leg", "v")
+            here = self.claims.at([form(x) for x in several(term["point"], 3)])
             need(self.claims.scalar(term, here).upper() < 0, "the point %s is not bad" % term["point"])
-        lower, upper = self.data["centers"]
+        lower, upper = (several(corner, 3) for corner in several(self.data["centers"], 2))
         for j in range(3):
             for sign, face in ((-1, lower[j]), (1, upper[j])):
                 need(self.covers(j, sign, face), "centers may lie beyond the box of the search")
@@ -422,16 +463,25 @@ class Bound:
 
     def term(self, term, low, high, size):
         if "bad" in term:
-            return self.claims.body.avoidance(self.data["bad"][term["bad"]]["point"], low, high, size)
-        point = self.data["points"][term["at"]]
-        p = [c + form(k) + form(size) * form(l)
-             for c, k, l in zip(box(low, high), point["fixed"], point["per_size"])]
-        return self.claims.scalar(term, self.claims.at(p))
+            only(term, "a term", "bad", "weight")
+            return self.claims.body.avoidance(at_index(self.data["bad"], term["bad"])["point"], low, high, size)
+        only(term, "a term", "at", "of", "leg", "v", "weight")
+        return self.claims.scalar(term, self.legs_at(term, low, high, size))
+
+    def legs_at(self, term, low, high, size):
+        point = at_index(self.data["points"], term["at"])
+        return self.claims.at([c + form(k) + form(size) * form(l)
+                               for c, k, l in zip(box(low, high), point["fixed"], point["per_size"])])
+
+    def out_of_reach(self, low, high, leaf):
+        """Whether some leg does not reach one of the points, wherever the center."""
+        return any(at["b2"].upper() < leg.least for term in leaf["terms"] if "at" in term
+                   for leg, at in zip(self.claims.legs, self.legs_at(term, low, high, leaf["size"])))
 
     def excludes(self, low, high, leaf):
         """A sum of what is not negative where c + K(size) satisfies the criterion, and negative all over the box."""
         total = self.sum(low, high, leaf)
-        return total is not None and total.upper() < 0
+        return total is not None and total.upper() < 0 or self.out_of_reach(low, high, leaf)
 
     def sum(self, low, high, leaf):
         total = Form(0)
@@ -444,24 +494,20 @@ class Bound:
         return total
 
 
-def only(data, what, *members):
-    """Refuses members that are not known: they may change what is claimed."""
-    need(isinstance(data, dict) and set(data) <= set(members), "%s has members that are not known here" % what)
-
-
 def check(data):
     """@return a sentence for each claim, all of which hold; otherwise raises"""
+    sane(data)
     only(data, "the certificate", "format", "version", "written_by", "geometry_hash", "machine", "criterion", "body",
          "region", "bound", "boxes", "path")
     claims, verified = Claims(data), []
-    need(any(data[name] for name in ("region", "bound", "boxes", "path")), "nothing is claimed")
+    need(any(data[name] is not None for name in ("region", "bound", "boxes", "path")), "nothing is claimed")
     if data["region"] is not None:
         count = Region(claims, data["region"]).verify()
         verified.append("every point of the region satisfies the criterion (%d boxes)" % count)
     if data["bound"] is not None:
         bound = Bound if data["bound"]["travel_axis"] is None else extension("Travel")
         count = bound(claims, data["bound"]).verify()
-        where = " with its center in the search box" if data["bound"]["search_box"] else ""
+        where = " with its center in the search box" if data["bound"]["search_box"] is not None else ""
         verified.append("no region larger than %r%s satisfies it (%d boxes)" % (data["bound"]["size"], where, count))
     for name, of_kind in (("boxes", "Boxes"), ("path", "Path")):
         if data[name] is not None:
@@ -469,7 +515,8 @@ def check(data):
     return verified
 
 
-NOT_UNDERSTOOD = (ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, ZeroDivisionError)
+NOT_UNDERSTOOD = (ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, ZeroDivisionError,
+                  RecursionError)
 
 
 def main():
@@ -477,7 +524,7 @@ def main():
         sys.exit("give one file: check_certificate.py FILE")
     try:
         with open(sys.argv[1], encoding="utf-8") as file:
-            for sentence in check(json.load(file)):
+            for sentence in check(json.load(file, object_pairs_hook=once)):
                 print("Verified: %s." % sentence)
     except (Refused, OSError) as error:
         sys.exit("refused: %s" % error)

@@ -77,6 +77,8 @@ std::string certificateOf(const Machine& machine, const RegionQuery& query, cons
   const Box centers = centerSpace(machine, query).centers;
   if (const auto bound = boundJson(machine, query, record, centers, region.size_upper_bound))
     json["bound"] = *bound;
+  if (json["region"].is_null() && json["bound"].is_null())
+    throw std::invalid_argument("there is nothing to certify: no region, and no reasons that a checker knows");
   return json.dump();
 }
 

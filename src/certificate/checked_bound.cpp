@@ -15,12 +15,6 @@ Vector unit(std::size_t axis, int sign)
   u[axis] = Ball(sign);
   return u;
 }
-
-std::size_t indexOf(const Json& json, std::size_t count)
-{
-  need(json.is_number_unsigned() && json.get<std::size_t>() < count, "a number that counts nothing");
-  return json.get<std::size_t>();
-}
 }  // namespace
 
 BoundCheck::BoundCheck(const CheckedClaims& claims, const CheckedBody& body, const Json& json)
@@ -90,7 +84,7 @@ bool BoundCheck::isWithin(std::size_t axis, int sign, double face) const
     if (sign > 0 ? search_box_->upper[axis] <= face : search_box_->lower[axis] >= face)
       return true;
   if (travel_axis_ == axis)
-    return true;
+    return slider(0).axis()[axis].isPositive() || slider(0).axis()[axis].isNegative();
   const Vector u = unit(axis, sign);
   const Ball most(sign * face);
   if (travel_axis_)
@@ -148,7 +142,8 @@ bool BoundCheck::isWithinPlaces(const SlidingLeg& leg, const Vector& u, const Ba
 
 BoundCheck::Term BoundCheck::termOf(const Json& json) const
 {
-  expect(json, "a term", { "weight", "bad", "at", "of", "leg", "v" });
+  json.contains("bad") ? expect(json, "a term", { "bad", "weight" })
+                       : expect(json, "a term", { "weight", "at", "of", "leg", "v" });
   Term term;
   term.weight = numberOf(json.at("weight"));
   need(term.weight >= 0.0, "a weight below 0");
@@ -199,9 +194,19 @@ bool BoundCheck::excludes(const std::vector<Term>& terms, double size, const Cub
   return travel == 0 ? sum.range().isNegative() : excludesByTravel(sum, travel, box);
 }
 
-/// What is left of the travel is bounded by a joint limit at the center.
+/// What is left of the travel is bounded by the search box, where rails run along its axis, or by a joint limit at the
+/// center.
 bool BoundCheck::excludesByTravel(const Jet& sum, const Exact& travel, const Cube& box) const
 {
+  const std::size_t k = *travel_axis_;
+  if (search_box_ && slider(0).isAlong(k))
+  {
+    const bool is_up = (slider(0).sense() * slider(0).axis()[k]).isPositive() == (travel > 0);
+    const Exact level(centers_.lower[k]);
+    const Exact rest = is_up ? Exact(search_box_->upper[k]) - level : level - Exact(search_box_->lower[k]);
+    if ((sum + Jet(ballOf(Exact(abs(travel) * rest)))).range().isNegative())
+      return true;
+  }
   const std::array<LegAt, 3> legs = claims_.at(pointsOf(box));
   for (int leg = 0; leg < 3; ++leg)
     for (const int side : { 0, 1 })

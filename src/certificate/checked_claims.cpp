@@ -20,7 +20,8 @@ double numberOf(const Json& json)
 {
   need(json.is_number(), "a number is missing");
   const double number = json.get<double>();
-  need(std::isfinite(number), "a number is not finite");
+  // integers that doubles do not tell apart reach 2^53 when they are rounded
+  need(json.is_number_integer() ? std::abs(number) < 0x1p53 : std::abs(number) <= 1e100, "a number is out of range");
   return number;
 }
 
@@ -53,6 +54,12 @@ Cube cubeOf(const Json& json)
 std::string textOf(const Cube& box)
 {
   return Json(box.lower).dump() + " to " + Json(box.upper).dump();
+}
+
+std::size_t indexOf(const Json& json, std::size_t count)
+{
+  need(json.is_number_unsigned() && json.get<std::uint64_t>() < count, "a number that counts nothing");
+  return json.get<std::size_t>();
 }
 
 JetVector pointAt(const Numbers& p)
@@ -97,7 +104,8 @@ CheckedClaims::CheckedClaims(const Json& json)
     const Ball squared = scalarProduct(axes.back(), axes.back()) - Ball(1.0);
     need(!squared.isPositive() && !squared.isNegative(), "a direction whose length is not 1");
   }
-  need(machine.at("legs").size() == 3, "a machine without three legs");
+  need(directions.is_array() && machine.at("legs").is_array() && machine.at("legs").size() == 3,
+       "a machine without three legs");
   for (const Json& leg : machine.at("legs"))
     legs_.push_back(readLeg(leg, axes, psi_max_));
 }

@@ -53,7 +53,7 @@ private:
 };
 
 /// How often the box of a leaf is halved until its reason holds.
-constexpr int MOST_SPLITS = 12;
+constexpr int MOST_SPLITS = 10;
 
 /// Walks a tree of cuts and calls leaf(box, json) for each leaf, in the order of the file.
 template <class Leaf>
@@ -72,8 +72,8 @@ void walk(const Json& tree, const Cube& root, const Leaf& leaf)
       leaf(box, node);
       continue;
     }
-    need(node.size() == 2 && node[0].is_number_unsigned() && node[0].get<unsigned>() < 3, "a cut that is none");
-    const auto axis = node[0].get<std::size_t>();
+    need(node.size() == 2, "a cut that is none");
+    const std::size_t axis = indexOf(node[0], 3);
     const double plane = numberOf(node[1]);
     need(box.lower[axis] <= plane && plane <= box.upper[axis], "a cut beside its box");
     open.push_back(box);

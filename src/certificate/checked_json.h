@@ -46,6 +46,8 @@ struct Cube
 };
 Cube cubeOf(const Json& json);
 std::string textOf(const Cube& box);
+/// A number below the count.
+std::size_t indexOf(const Json& json, std::size_t count);
 /// A single point.
 JetVector pointAt(const Numbers& p);
 /// The point that delta stands for in a box.

@@ -47,8 +47,8 @@ SlidingLeg::SlidingLeg(const Json& json, const std::vector<Vector>& directions, 
   : CheckedLeg(json)
 {
   expect(json, "a leg", { "joint", "kind", "center", "direction", "sense", "length", "working_mode", "limits" });
-  direction_ = json.at("direction").get<std::size_t>();
-  const Vector& direction = directions.at(direction_);
+  direction_ = indexOf(json.at("direction"), directions.size());
+  const Vector& direction = directions[direction_];
   sense_ = signOf(json, "sense");
   mode_ = signOf(json, "working_mode");
   for (std::size_t k = 0; k < 3; ++k)
@@ -177,7 +177,8 @@ CrankLeg::CrankLeg(const Json& json, const std::optional<Ball>& steepest) : Chec
   mode_ = signOf(json, "working_mode");
   gear_ = json.at("drive_scale").is_null() ? Ball(1.0) : radius_ / lengthOf(json, "drive_scale");
   need(limit(0).has_value() == limit(1).has_value(), "a crank with one limit");
-  need(!limit(0) || (*limit(1) - *limit(0) <= 3.14 && std::abs(*limit(0)) <= 8.0),
+  need(!limit(0) || (*limit(1) > *limit(0) && *limit(1) - *limit(0) <= 3.14 && std::abs(*limit(0)) <= 8.0 &&
+                     std::abs(*limit(1)) <= 8.0),
        "limits of a crank that are a half turn apart, or beyond 8 rad");
   if (!steepest)
     return;

@@ -22,6 +22,12 @@ CheckedBody::CheckedBody(const Json& json)
     return Measure{ numberOf(pair[0]), numberOf(pair[1]) };
   };
   need(kind == "box" || kind == "ball" || kind == "cylinder", "a body of a kind that is not known here");
+  if (kind == "box")
+    expect(measures, "a box", { "lower", "upper" });
+  else
+    expect(measures, "a round body",
+           { "radius", kind == "ball" ? "radius" : "lower", kind == "ball" ? "radius" : "upper" });
+  need(kind != "box" || (measures.at("lower").size() == 3 && measures.at("upper").size() == 3), "a measure is missing");
   round_ = kind == "box" ? 0 : kind == "ball" ? 3 : 2;
   for (std::size_t j = 0; j < 3; ++j)
     if (j < round_)

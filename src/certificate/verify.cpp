@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/certificate/verify.h"
 
+#include <set>
+
 #include "checked_body.h"
 #include "pkm_workspace/interval/decimal.h"
 
@@ -9,6 +11,24 @@ namespace pkm_workspace
 namespace
 {
 using namespace checking;
+
+/// @param is_twofold is set where an object has a member twice, of which others may read the other one
+Json parsed(const std::string& text, bool& is_twofold)
+{
+  std::vector<std::set<std::string>> members;
+  return Json::parse(
+      text,
+      [&](int, Json::parse_event_t event, const Json& value) {
+        if (event == Json::parse_event_t::object_start)
+          members.emplace_back();
+        else if (event == Json::parse_event_t::object_end)
+          members.pop_back();
+        else if (event == Json::parse_event_t::key)
+          is_twofold = !members.back().insert(value.get<std::string>()).second || is_twofold;
+        return true;
+      },
+      false);
+}
 
 /// The person who waits wants no more.
 class Stopped : public std::exception
@@ -60,10 +80,18 @@ void verify(const Json& json, const VerificationProgress& progress, Verification
 
 Verification verifyCertificate(const std::string& text, const VerificationProgress& progress)
 {
+  bool is_twofold = false;
+  const Json json = parsed(text, is_twofold);
+  if (json.is_discarded())
+    throw std::invalid_argument("not a certificate, which is a JSON object: pkm largest --certificate FILE writes one");
   Verification result;
+  if (is_twofold)
+    result.refused = "a member that is there twice";
+  if (is_twofold)
+    return result;
   try
   {
-    verify(Json::parse(text), progress, result);
+    verify(json, progress, result);
   }
   catch (const Refused& refused)
   {

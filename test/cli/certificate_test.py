@@ -12,7 +12,7 @@ import unittest
 
 from alterations import altered
 from crooked import crooked
-from pkm import ORTHOGLIDE, PKM, URANESX, URDF, CommandTest
+from pkm import ORTHOGLIDE, PKM, URANESX, URDF, CommandTest, run
 
 sys.path.insert(0, str(URDF.parent / "scripts"))
 import check_certificate  # noqa: E402
@@ -40,6 +40,8 @@ class Certificate(CommandTest):
     @staticmethod
     def by_pkm(text):
         process = subprocess.run([PKM, "verify", "/dev/stdin", "--json"], input=text, capture_output=True, text=True)
+        if process.returncode == 2:  # NaN is no JSON
+            return None
         answer = json.loads(process.stdout)
         assert process.returncode == (1 if answer["refused"] else 0), process
         return None if answer["refused"] else [re.sub(r" \(\d+ boxes\)", "", s) for s in answer["verified"]]
@@ -65,6 +67,7 @@ class Certificate(CommandTest):
                       ("--urdf", URANESX, "--shape", "square", "--accuracy", 1e-4),
                       ("--urdf", URANESX, "--shape", "sphere", "--accuracy", 1e-2),
                       ("--urdf", URANESX, "--shape", "square", "--search-box", -0.1, 0, -0.1, 0, -1, 1),
+                      ("--urdf", URANESX, "--search-box", -0.3, 0.3, -0.3, 0.3, 0.017, 0.117, "--accuracy", 1e-2),
                       ("--urdf", urdf, "--accuracy", 1e-3),
                       ("--urdf", URDF / "tripod.urdf", "--joint-limits", "on", "--accuracy", 1e-3),
                       ("--urdf", URDF / "mixed_legs.urdf", "--joint-limits", "on", "--accuracy", 1e-2),
@@ -141,6 +144,64 @@ class Certificate(CommandTest):
             self.assertEqual((process.returncode, process.stdout), (2, ""), words)
             self.assertRegex(process.stderr, "certificates do not know .*%s.*leave it out" % what)
             self.assertFalse(path.exists())
+
+    def test_what_attackers_write_is_refused(self):
+        """Each of these was once accepted by one of the two."""
+        _, good, _ = self.write("--urdf", URANESX, "--shape", "square", "--accuracy", 1e-2)
+        _, tripod, _ = self.write("--urdf", URDF / "tripod.urdf", "--joint-limits", "on", "--accuracy", 1e-2)
+
+        def copy(data):
+            return json.loads(json.dumps(data))
+
+        def far_places(data):
+            """A bad point that is said to push against the travel."""
+            bound = data["bound"]
+            bound.update(size=0.4, points=[{"fixed": [0, 0, 0], "per_size": [0, 0, 0]}], bad=[
+                {"point": [50, y, 1000], "of": "reach", "leg": 0} for y in (-0.37, -0.125, 0.125, 0.37)])
+            for corner in bound["centers"]:
+                corner[2] = 1000
+            upper = {"at": 0, "of": "joint_upper", "leg": 0, "weight": 1}
+            leaves = [{"size": 0.4, "terms": [upper, {"bad": k, "weight": 1, "of": "joint_lower", "leg": 0}]}
+                      for k in range(4)]
+            bound["tree"] = [[1, 0], [1, -0.25], *leaves[:2], [1, 0.25], *leaves[2:]]
+
+        def beyond_numbers(data):
+            lower = {"at": 0, "of": "joint_lower", "leg": 0, "weight": 1}
+            data["bound"].update(size=1e-9, centers=[[-1e300] * 3, [1e300] * 3], bad=[],
+                                 points=[{"fixed": [0, 0, 0], "per_size": [0, 0, 0]}],
+                                 tree=[{"size": 1e-9, "terms": [lower]}])
+
+        def no_axis(axis):
+            return lambda data: data["bound"]["tree"].__setitem__(0, [axis, 0])
+
+        for data, spoil in ((good, far_places), (tripod, beyond_numbers), (good, no_axis(2 ** 32)),
+                            (good, no_axis(2 ** 61 + 1)), (good, lambda d: d["body"]["box"]["upper"].pop()),
+                            (good, lambda d: d["machine"]["legs"][0].update(limits=[])),
+                            (good, lambda d: d["criterion"].update(joint_limits="false")),
+                            (good, lambda d: d["body"].update(ball={"radius": [0, 1]})),
+                            (good, lambda d: d["body"]["box"].update(turned=45)),
+                            (good, lambda d: d["machine"]["legs"][0].update(direction=0.9)),
+                            (good, lambda d: d["region"]["center"].__setitem__(2, 2 ** 53 + 1)),
+                            (good, lambda d: d["criterion"].update(psi_min=-0.5))):
+            false = copy(data)
+            spoil(false)
+            self.assertIsNone(self.by_python(false))
+            self.assertIsNone(self.by_pkm(json.dumps(false)))
+        twice = json.dumps(good).replace('"version": 1', '"version": 2, "version": 1')
+        self.assertIsNone(self.by_pkm(twice))
+        with self.assertRaises(check_certificate.Refused):
+            json.loads(twice, object_pairs_hook=check_certificate.once)
+
+    def test_where_there_is_nothing_to_certify_it_says_so(self):
+        process = run("largest", "--urdf", ORTHOGLIDE, "--psi-max", 0.9, "--psi-min", 0.1, "--certificate",
+                      self.folder / "none.json")
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("nothing to certify", process.stderr)
+
+    def test_what_is_no_json_is_bad_input(self):
+        process = run("verify", ORTHOGLIDE)
+        self.assertEqual((process.returncode, process.stdout), (2, ""))
+        self.assertIn("not a certificate, which is a JSON object", process.stderr)
 
     def test_a_region_that_is_not_inside_has_none(self):
         path = self.folder / "none.json"

@@ -17,6 +17,11 @@ POINTS = 6000
 LINES = 60000
 
 
+# Within some 70 kB of what is needed to load it, the C++ runtime goes without its pool for exceptions: nothing can be
+# thrown then.
+NO_POOL = "terminate called without an active exception\n"
+
+
 class Memory(CommandTest):
     def peak(self, *words):
         """The most memory that pkm held [bytes], and what it said on standard output."""
@@ -78,7 +83,7 @@ class Memory(CommandTest):
         for words in (*self.commands(), listing):
             for limit in range(12, 200, 3):
                 process = self.within(limit * MEGABYTE, *words)
-                if process.returncode == 127:
+                if process.returncode == 127 or process.stderr == NO_POOL:
                     continue  # the system could not load it
                 with self.subTest((words, limit)):
                     self.assertIn(process.returncode, (0, 1))

@@ -8,7 +8,7 @@ import sys
 
 COLUMNS = 120
 FILE_LINES = 300
-LONGER = {"check_certificate.py": 500}  # in one piece for who does not trust the rest
+LONGER = {"check_certificate.py": 540, "certificate_extensions.py": 320}  # in one piece for who trusts no other
 FUNCTION_LINES = 40
 MAIN_LINES = 25
 FOLDERS = ("include", "src", "test", "bench", "scripts")

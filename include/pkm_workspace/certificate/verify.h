@@ -21,6 +21,6 @@ using VerificationProgress = std::function<bool(std::int64_t leaves)>;
 
 /// Checks every step of a certificate (docs/certificate.md) in arithmetic of its own: mean-value forms in balls of some
 /// forty digits. It searches nothing, and shares nothing with what wrote the file but the format.
-/// @param text JSON
+/// @param text JSON @throws std::invalid_argument where it is none
 Verification verifyCertificate(const std::string& text, const VerificationProgress& progress = nullptr);
 }  // namespace pkm_workspace

@@ -26,6 +26,8 @@ public:
   /// All from one bound to the other.
   static Ball between(const Middle& lower, const Middle& upper)
   {
+    if (!isfinite(lower) || !isfinite(upper))
+      return { Middle(0), INFINITE };
     if (lower == upper)
       return { lower, 0.0 };
     const Middle middle = (lower + upper) / 2;
@@ -71,6 +73,8 @@ public:
   /// The roots of those members that are not negative.
   friend Ball sqrt(const Ball& a)
   {
+    if (!isfinite(a.middle_) || !(a.radius_ < INFINITE))
+      return { Middle(0), INFINITE };
     const Middle lower = a.lower() > 0 ? sqrt(a.lower()) : Middle(0);
     const Middle upper = a.upper() > 0 ? sqrt(a.upper()) : Middle(0);
     return lower == upper && lower == 0 ? Ball() : between(lower, upper).rounded(true);
