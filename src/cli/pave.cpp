@@ -137,14 +137,15 @@ public:
 
   void save() override
   {
-    certificate_.save(machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
     if (!save_.empty())
     {
       std::vector<Paving> pavings;
       for (PavingReport& report : paved_.reports)
         pavings.push_back(std::move(report.paving));
       savePavings(save_, pavings);
+      paved_.reports[paved_.asked].paving = std::move(pavings[paved_.asked]);
     }
+    certificate_.save(machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
     paved_.mesh.save(machine_.machine());
   }
 

@@ -20,11 +20,9 @@ class Verify : public Command
 public:
   std::string description() const override
   {
-    return "Checks a certificate that pkm largest or pkm check wrote: every step of the proof, in arithmetic of its "
-           "own "
-           "that shares nothing with the search. Says what holds, or the first thing that does not; then the exit "
-           "status "
-           "is 1. scripts/check_certificate.py does the same with nothing but Python.";
+    return "Checks a certificate that pkm largest, check, path or pave wrote: every step of the proof, in arithmetic "
+           "of its own that shares nothing with the search. Says what holds, or the first thing that does not; then "
+           "the exit status is 1. scripts/check_certificate.py does the same with nothing but Python.";
   }
 
   Words examples() const override { return { "pkm verify cube.json" }; }
