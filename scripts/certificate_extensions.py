@@ -181,7 +181,8 @@ class Boxes:
                 bad += 1
             else:
                 need(leaf == 0, "a leaf that is none")
-        return "the points of %d boxes satisfy the criterion, and none of those in %d others" % (good, bad)
+        return ("every point of the boxes inside satisfies the criterion (%d), no point of those outside (%d)" %
+                (good, bad))
 
     def inside(self, low, high):
         return core.good(self.claims, core.box(low, high), core.SIGNS)  # noqa: F821
@@ -211,7 +212,7 @@ class Path:
                 core.proved(lambda a, b: self.inside(ends, a, b), [first, 0, 0], [last, 0, 0],  # noqa: F821
                             core.SPLITS, "the criterion")  # noqa: F821
                 count += 1
-        return "every point of the path satisfies the criterion (%d segments, %d pieces)" % (len(self.data), count)
+        return "every point of the path satisfies the criterion (segments: %d, pieces: %d)" % (len(self.data), count)
 
     def inside(self, ends, low, high):
         t = side(low[0], high[0], 0)

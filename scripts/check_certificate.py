@@ -12,6 +12,7 @@ import math
 import pathlib
 import runpy
 import sys
+import types
 from fractions import Fraction
 
 P = 128
@@ -155,7 +156,7 @@ def box(low, high):
 def extension(name):
     """What the other file defines."""
     path = pathlib.Path(__file__).with_name("certificate_extensions.py")
-    return runpy.run_path(str(path), {"core": sys.modules[__name__]})[name]
+    return runpy.run_path(str(path), {"core": types.SimpleNamespace(**globals())})[name]
 
 
 class Leg:
@@ -503,12 +504,12 @@ def check(data):
     need(any(data[name] is not None for name in ("region", "bound", "boxes", "path")), "nothing is claimed")
     if data["region"] is not None:
         count = Region(claims, data["region"]).verify()
-        verified.append("every point of the region satisfies the criterion (%d boxes)" % count)
+        verified.append("every point of the region satisfies the criterion (boxes: %d)" % count)
     if data["bound"] is not None:
         bound = Bound if data["bound"]["travel_axis"] is None else extension("Travel")
         count = bound(claims, data["bound"]).verify()
         where = " with its center in the search box" if data["bound"]["search_box"] is not None else ""
-        verified.append("no region larger than %r%s satisfies it (%d boxes)" % (data["bound"]["size"], where, count))
+        verified.append("no region larger than %r%s satisfies it (boxes: %d)" % (data["bound"]["size"], where, count))
     for name, of_kind in (("boxes", "Boxes"), ("path", "Path")):
         if data[name] is not None:
             verified.append(extension(of_kind)(claims, data[name]).verify())

@@ -64,8 +64,8 @@ void validateCertificate(const Machine& machine, const RegionQuery& query, Probl
   refuse(problems, query.shape->isPolytope() || query.shape->ownProof() != nullptr, "regions of this shape");
 }
 
-std::string certificateOf(const Machine& machine, const RegionQuery& query, const LargestRegion& region,
-                          const SearchRecord& record)
+RegionCertificate certificateOf(const Machine& machine, const RegionQuery& query, const LargestRegion& region,
+                                const SearchRecord& record)
 {
   Problems problems;
   validateCertificate(machine, query, problems);
@@ -79,7 +79,11 @@ std::string certificateOf(const Machine& machine, const RegionQuery& query, cons
     json["bound"] = *bound;
   if (json["region"].is_null() && json["bound"].is_null())
     throw std::invalid_argument("there is nothing to certify: no region, and no reasons that a checker knows");
-  return json.dump();
+  RegionCertificate certificate{ json.dump(), "" };
+  if (json["bound"].is_null())
+    certificate.left_out =
+        "the certificate has no bound: the search did not close all boxes, or for reasons that checkers do not know";
+  return certificate;
 }
 
 std::string certificateOf(const Machine& machine, const Criterion& criterion, const Shape& shape,

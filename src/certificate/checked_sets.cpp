@@ -121,8 +121,8 @@ std::string BoxesCheck::run(const std::function<void()>& leaf) const
       need(node == 0, "a leaf that is none");
     leaf();
   });
-  return "the points of " + std::to_string(good) + " boxes satisfy the criterion, and none of those in " +
-         std::to_string(bad) + " others";
+  return "every point of the boxes inside satisfies the criterion (" + std::to_string(good) +
+         "), no point of those outside (" + std::to_string(bad) + ")";
 }
 
 /// Either a strut does not reach, or the condition is violated.
@@ -161,8 +161,8 @@ std::string checkPath(const CheckedClaims& claims, const Json& json, const std::
       leaf();
     }
   }
-  return "every point of the path satisfies the criterion (" + std::to_string(json.size()) + " segments, " +
-         std::to_string(pieces) + " pieces)";
+  return "every point of the path satisfies the criterion (segments: " + std::to_string(json.size()) +
+         ", pieces: " + std::to_string(pieces) + ")";
 }
 }  // namespace checking
 }  // namespace pkm_workspace

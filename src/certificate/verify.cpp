@@ -39,7 +39,7 @@ void verifyBodies(const Json& json, const CheckedClaims& claims, const std::func
                   const std::int64_t& leaves, Verification& result)
 {
   const CheckedBody body(json.at("body"));
-  const auto boxes = [&leaves](std::int64_t before) { return " (" + std::to_string(leaves - before) + " boxes)"; };
+  const auto boxes = [&leaves](std::int64_t before) { return " (boxes: " + std::to_string(leaves - before) + ")"; };
   if (!json.at("region").is_null())
   {
     RegionCheck(claims, body, json.at("region")).run(leaf);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <iostream>
 #include <string>
 
 #include "common_options.h"
@@ -38,8 +38,12 @@ public:
 
   void save(const Machine& machine, const RegionQuery& query, const LargestRegion& region) const
   {
-    if (given())
-      writeWholeFile(path_, certificateOf(machine, query, region, record_));
+    if (!given())
+      return;
+    const RegionCertificate certificate = certificateOf(machine, query, region, record_);
+    writeWholeFile(path_, certificate.json);
+    if (!certificate.left_out.empty())
+      std::cerr << "pkm: note: " << certificate.left_out << std::endl;
   }
 
   void save(const Machine& machine, const Criterion& criterion, const Solid& solid, const Eigen::Vector3d& center) const

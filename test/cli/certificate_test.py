@@ -33,7 +33,7 @@ class Certificate(CommandTest):
     def by_python(data):
         """@return the sentences without counts, or nothing if it refuses"""
         try:
-            return [re.sub(r" \(\d+ boxes\)", "", sentence) for sentence in check_certificate.check(data)]
+            return [re.sub(r" \(boxes: \d+\)", "", sentence) for sentence in check_certificate.check(data)]
         except (check_certificate.Refused, *check_certificate.NOT_UNDERSTOOD):
             return None
 
@@ -44,7 +44,7 @@ class Certificate(CommandTest):
             return None
         answer = json.loads(process.stdout)
         assert process.returncode == (1 if answer["refused"] else 0), process
-        return None if answer["refused"] else [re.sub(r" \(\d+ boxes\)", "", s) for s in answer["verified"]]
+        return None if answer["refused"] else [re.sub(r" \(boxes: \d+\)", "", s) for s in answer["verified"]]
 
     def check_both(self, data, *claims):
         self.assertEqual(self.by_python(data), list(claims))
@@ -97,8 +97,8 @@ class Certificate(CommandTest):
             counts = (leaves.count(1), sum(isinstance(leaf, dict) for leaf in leaves))
             self.assertEqual(counts[0], answer["boxes_inside"])
             self.assertLess(leaves.count(0) - answer["boxes_boundary"], 0.1 * counts[1])  # what no single form says
-            self.check_both(data, "the points of %d boxes satisfy the criterion, and none of those in %d others" %
-                            counts)
+            self.check_both(data, "every point of the boxes inside satisfies the criterion (%d), no point of those "
+                                  "outside (%d)" % counts)
             bad = json.loads(json.dumps(data))
             outside = next(k for k, node in enumerate(bad["boxes"]["tree"]) if isinstance(node, dict))
             bad["boxes"]["tree"][outside] = 1
@@ -106,7 +106,7 @@ class Certificate(CommandTest):
         segments = ("--segment", "start 0 0 0", "--segment", "line 0.1 0 0", "--segment", "line 0.1 0.2 0.29")
         _, data, _ = self.write("--urdf", ORTHOGLIDE, *segments, command="path")
         pieces = sum(len(cuts) - 1 for _, _, cuts in data["path"])
-        self.check_both(data, "every point of the path satisfies the criterion (2 segments, %d pieces)" % pieces)
+        self.check_both(data, "every point of the path satisfies the criterion (segments: 2, pieces: %d)" % pieces)
         for spoil in (lambda path: path[0][2].pop(), lambda path: path[1][1].__setitem__(2, 0.8),
                       lambda path: path[0][2].insert(1, 1.5), lambda path: path[0][0].__setitem__(0, -1.5)):
             bad = json.loads(json.dumps(data))
@@ -192,6 +192,14 @@ class Certificate(CommandTest):
         with self.assertRaises(check_certificate.Refused):
             json.loads(twice, object_pairs_hook=check_certificate.once)
 
+    def test_a_bound_that_is_left_out_is_named(self):
+        for words in (("--max-boxes", 20), ("--set", "reachable")):  # stopped; by spheres of struts
+            path = self.folder / "region.json"
+            process = run("largest", "--urdf", ORTHOGLIDE, *words, "--certificate", path)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertIn("the certificate has no bound", process.stderr)
+            self.check_both(json.loads(path.read_text()), self.REGION)
+
     def test_where_there_is_nothing_to_certify_it_says_so(self):
         process = run("largest", "--urdf", ORTHOGLIDE, "--psi-max", 0.9, "--psi-min", 0.1, "--certificate",
                       self.folder / "none.json")
@@ -214,7 +222,7 @@ class Certificate(CommandTest):
 
     def test_the_script_says_what_it_has_verified_or_what_does_not_hold(self):
         _, data, path = self.write("--urdf", ORTHOGLIDE)
-        script = [sys.executable, "-B", URDF.parent / "scripts" / "check_certificate.py", path]
+        script = [URDF.parent / "scripts" / "check_certificate.py", path]  # as the documents say
         process = subprocess.run(script, capture_output=True, text=True)
         self.assertEqual((process.returncode, process.stderr), (0, ""))
         self.assertRegex(process.stdout, r"^Verified: every point of the .*\nVerified: no region larger than .*\n$")

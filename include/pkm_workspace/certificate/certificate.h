@@ -62,12 +62,18 @@ private:
   std::vector<Eigen::Vector3d> bad_;
 };
 
+/// A certificate, and what of the answer it does not claim.
+struct RegionCertificate
+{
+  std::string json;
+  std::string left_out;  ///< one sentence; empty where it claims all
+};
+
 /// The certificate of a region, and of the bound above it as far as there are reasons for that.
 /// @param record of the search that found it
-/// @return JSON
 /// @throws std::invalid_argument as validateCertificate(), or where the region cannot be proved once more
-std::string certificateOf(const Machine& machine, const RegionQuery& query, const LargestRegion& region,
-                          const SearchRecord& record);
+RegionCertificate certificateOf(const Machine& machine, const RegionQuery& query, const LargestRegion& region,
+                                const SearchRecord& record);
 /// The certificate of a paving: which boxes are proved to be inside, and which outside.
 std::string certificateOf(const Machine& machine, const Criterion& criterion, const Paving& paving);
 /// The certificate of a path of straight segments that is inside.
