@@ -19,18 +19,15 @@ Interval angleOfNumbers(double x, double y)
     mpfr_set_d(abscissa, x, MPFR_RNDN);
     mpfr_set_d(ordinate, y, MPFR_RNDN);
     mpfr_atan2(ordinate, ordinate, abscissa, rounding::SOUND ? mode : MPFR_RNDN);
-    const double angle = mpfr_get_d(ordinate, MPFR_RNDN);
+    const double angle = mpfr_get_d(ordinate, mode);
     mpfr_clears(abscissa, ordinate, static_cast<mpfr_ptr>(nullptr));
     return angle;
   };
-  return subnormal::keeping([&] { return Interval(rounded(MPFR_RNDD), rounded(MPFR_RNDU)); });
+  return Interval(rounded(MPFR_RNDD), rounded(MPFR_RNDU));
 }
-}  // namespace
 
-Interval angleOf(const Interval& x, const Interval& y)
+Interval angleOfSets(const Interval& x, const Interval& y)
 {
-  if (x.isEmpty() || y.isEmpty())
-    return Interval::empty();
   if (x.lower() <= 0.0 && y.contains(0.0))
     return { -pi().upper(), pi().upper() };
   Interval angles = Interval::empty();
@@ -38,6 +35,12 @@ Interval angleOf(const Interval& x, const Interval& y)
     for (const double ordinate : { y.lower(), y.upper() })
       angles = hull(angles, angleOfNumbers(abscissa, ordinate));
   return angles;
+}
+}  // namespace
+
+Interval angleOf(const Interval& x, const Interval& y)
+{
+  return x.isEmpty() || y.isEmpty() ? Interval::empty() : subnormal::keeping([&] { return angleOfSets(x, y); });
 }
 
 void enclosedAngles(const double* x, const double* y, std::size_t count, double* middle, double* radius)

@@ -212,7 +212,9 @@ Interval sqrt(const Interval& x)
 
 Interval sqrtAboveZero(const Interval& x)
 {
-  return x.isEmpty() ? x : sqrt(Interval(std::max(0.0, x.lower()), std::max(0.0, x.upper())));
+  return x.isEmpty()
+             ? x
+             : keeping([&] { return squareRoot(Interval(std::max(0.0, x.lower()), std::max(0.0, x.upper()))); });
 }
 
 Interval abs(const Interval& x)
