@@ -120,10 +120,8 @@ public:
 
   void save() override
   {
-    if (result_.verdict == Containment::INSIDE)
-      certificate_.save(machine_.machine(), criterion_, body_.solid(), *center_);
-    else if (certificate_.given())
-      throw std::invalid_argument("the region is not proved to be inside: there is nothing to certify");
+    if (certificate_.given())
+      certificate_.save(machine_.machine(), criterion_, result_.verdict, body_.solid(), *center_);
   }
 
 private:

@@ -104,10 +104,9 @@ public:
 
   void save() override
   {
-    if (certificate_.given() && (verdict_ != Containment::INSIDE || source_.job().isGiven()))
-      throw std::invalid_argument(source_.job().isGiven() ? "certificates do not know jobs in G-code yet"
-                                                          : "the path is not inside: there is nothing to certify");
-    certificate_.save(machine_.machine(), criterion_, segments_);
+    if (certificate_.given() && source_.job().isGiven())
+      throw std::invalid_argument("certificates do not know jobs in G-code yet");
+    certificate_.save(machine_.machine(), criterion_, verdict_, segments_, task_.rates.isHeld());
   }
 
 private:

@@ -143,7 +143,7 @@ const Limit& PointEvaluation::binding() const
 }
 
 PointEvaluator::PointEvaluator(const Machine& machine, const Criterion& criterion)
-  : machine_(machine), test_(machine, criterion), reach_test_(machine, reachOnly())
+  : machine_(machine), criterion_(criterion), test_(machine, criterion), reach_test_(machine, reachOnly())
 {}
 
 PointEvaluation PointEvaluator::operator()(const Eigen::Vector3d& point) const

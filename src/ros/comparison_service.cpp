@@ -60,6 +60,12 @@ MachineComparison messageOf(const FramedMachine& in, const Comparison& study)
   }
   return message;
 }
+
+void requireEmpty(const std::string& field, const std::string& value, const std::string& reason)
+{
+  if (!value.empty())
+    throw std::invalid_argument(field + " = '" + value + "' must be empty: " + reason);
+}
 }  // namespace
 
 ComparisonService::ComparisonService(NodeContext& context)
@@ -71,9 +77,9 @@ ComparisonService::ComparisonService(NodeContext& context)
 
 void ComparisonService::compare(const CompareMachines::Request& request, CompareMachines::Response& response)
 {
-  if (!request.query.header.frame_id.empty())
-    throw std::invalid_argument("header.frame_id = '" + request.query.header.frame_id +
-                                "' must be empty: each machine is looked at in the frame of its own root link");
+  requireEmpty("header.frame_id", request.query.header.frame_id,
+               "each machine is evaluated in the frame of its own root link");
+  requireEmpty("certificate", request.query.certificate, "a certificate is about one machine");
   requireNoBallAxes(request.query.criterion, "each machine has its own; pkm compare takes --ball-axes for each");
   RegionQuery query = fromMessage(request.query, context_.machine(), context_.query(), context_.parameters,
                                   context_.parameters.query.budget.time_limit);

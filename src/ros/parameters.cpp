@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/ros/parameters.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -154,6 +156,7 @@ Table tableOf(Parameters& parameters)
     { "joint_acceleration_max",
       { "a number > 0, or three [m/s^2]",
         [&parameters](const XmlRpcValue& value) { return readForJoints(value, parameters.joint_acceleration_max); } } },
+    { "certificate_folder", entry(parameters.certificate_folder, "a text, the name of a folder from / on") },
     { "diagnostic_period", { "a number from 0.01 to 3600 [s]", isPeriod } },
   };
   addPictures(parameters, table);
@@ -241,6 +244,13 @@ void validateBounds(const XmlRpcValue& values, Criterion& criterion, Problems& p
   valid.aspect = criterion.aspect;
   criterion = valid;
 }
+
+void validateFolder(const std::string& folder, Problems& problems)
+{
+  if (!folder.empty() && (folder.front() != '/' || ::access((folder + "/.").c_str(), W_OK | X_OK) != 0))
+    problems.push_back("certificate_folder = '" + folder +
+                       "' must be a folder that exists, named from / on, in which this node may write files");
+}
 }  // namespace
 
 void Parameters::validate(Problems& problems) const
@@ -258,6 +268,7 @@ void Parameters::validate(Problems& problems) const
     complain("accuracy", accuracy, "m must be positive and finite, or 0 for a thousandth of the longest strut");
   if (!(paving_resolution >= 0.0 && paving_resolution <= 1e100))
     complain("paving_resolution", paving_resolution, "m must be >= 0 and finite");
+  validateFolder(certificate_folder, problems);
 }
 
 Parameters loadParameters(const ros::NodeHandle& private_node)

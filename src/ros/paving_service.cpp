@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "pkm_workspace/interval/decimal.h"
+#include "pkm_workspace/ros/certificate_request.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/markers.h"
 #include "pkm_workspace/ros/set_surface.h"
@@ -54,7 +55,10 @@ PavingService::PavingService(NodeContext& context, SetBelow& below)
 PavingQuestion PavingService::read(const PavingRequest& request, double longest) const
 {
   const FramedMachine in = context_.frames.machineIn(request.header.frame_id, request.criterion);
-  return fromMessage(request, in, context_.query().criterion, context_.parameters, longest);
+  PavingQuestion question = fromMessage(request, in, context_.query().criterion, context_.parameters, longest);
+  question.certificate = certificateFile(request.certificate, context_.parameters);
+  question.certificate->validate(*in.machine, question.query.criterion);
+  return question;
 }
 
 void PavingService::approximate(const Action::Goal& goal, const StopFlag& stop, const Action::Tell& tell,
@@ -91,6 +95,8 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   }
   const Paving& paving = report->paving;
   Workspace workspace = toMessage(question, *report, ros::Time::now());
+  if (question.certificate->given())
+    saveCertificate(*question.certificate, workspace, *question.in.machine, question.query.criterion, paving);
   if (!question.connect.empty())
     addConnection(question, *report, workspace);
   const std::string effort =

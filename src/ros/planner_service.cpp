@@ -8,6 +8,7 @@
 #include "pkm_workspace/interval/decimal.h"
 #include "pkm_workspace/region/containment.h"
 #include "pkm_workspace/report/containment_sentence.h"
+#include "pkm_workspace/ros/certificate_request.h"
 #include "pkm_workspace/ros/conversions.h"
 #include "pkm_workspace/ros/criterion_message.h"
 #include "pkm_workspace/ros/gcode_message.h"
@@ -104,6 +105,8 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   const auto region = fromMessage(request.solid, request.vertices, request.center, problems);
   const Budget budget = budgetOf(request.max_boxes, problems);
   throwProblems(problems);
+  const auto certificate = certificateFile(request.certificate, context_.parameters);
+  certificate->validate(evaluator->machine(), evaluator->criterion());
   const auto& [solid, center] = *region;
   const ContainmentResult result = checkContainment(evaluator->test(), *solid.shape, center, solid.size, budget);
   response.verdict = constantOf(result.verdict);
@@ -111,6 +114,9 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
   response.message = describe(result, *evaluator, *solid.shape, center, solid.size, budget);
+  if (certificate->given())
+    saveCertificate(*certificate, response, evaluator->machine(), evaluator->criterion(), result.verdict, solid,
+                    center);
 }
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
@@ -121,13 +127,26 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
   PathTask task;
   task.rates = ratesOf(request, context_.parameters.joint_acceleration_max);
   task.query.stop = crew_.stopFlag();
-  task.for_each = [&request](const UseSegment& use) { forEachSegment(request, use); };
+  const auto certificate = certificateFile(request.certificate, context_.parameters);
+  certificate->validate(evaluator->machine(), evaluator->criterion());
+  std::vector<PathSegment> path;
+  task.for_each = [&](const UseSegment& use) {
+    forEachSegment(request, [&](const PathSegment& segment) {
+      if (certificate->given())
+        path.push_back(segment);
+      use(segment);
+    });
+  };
   task.tell = [&response](const SegmentCheck& segment) {
     response.segment_verdicts.push_back(constantOf(segment.verdict));
     addRates(segment, response.rates);
   };
   task.place = [](std::size_t segment) { return "segment " + std::to_string(segment); };
-  fill(pkm_workspace::checkPath(*evaluator, task), evaluator->machine(), response);
+  const PathReport report = pkm_workspace::checkPath(*evaluator, task);
+  fill(report, evaluator->machine(), response);
+  if (certificate->given())
+    saveCertificate(*certificate, response, evaluator->machine(), evaluator->criterion(), report.result.verdict, path,
+                    task.rates.isHeld());
 }
 
 void PlannerService::checkGcode(const CheckGcode::Request& request, CheckGcode::Response& response)

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 
+#include "pkm_workspace/ros/certificate_request.h"
 #include "pkm_workspace/ros/reply.h"
 
 namespace pkm_workspace
@@ -49,6 +50,8 @@ RegionQuestion RegionService::read(const RegionRequest& request, double longest)
   RegionQuestion question{ fromMessage(request, context_.machine(), context_.query(), context_.parameters, longest),
                            in };
   question.query.criterion = in.seen(question.query.criterion);
+  question.certificate = certificateFile(request.certificate, context_.parameters);
+  question.certificate->follow(*in.machine, question.query);
   return question;
 }
 
@@ -110,7 +113,10 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
     ROS_WARN_STREAM_NAMED("server", "the bounds are wider than asked: " << answer.region.message);
   context_.health.noteComputation({ describe(question.query), summary(answer), answer.region.seconds, stopped });
 
-  const auto region = std::make_shared<const Region>(toMessage(answer, ros::Time::now()));
+  Region message = toMessage(answer, ros::Time::now());
+  if (question.certificate && question.certificate->given())
+    saveCertificate(*question.certificate, message, *question.in.machine, question.query, answer.region);
+  const auto region = std::make_shared<const Region>(message);
   if (!*stop)
     keep(question, region);
   return region;
@@ -124,6 +130,9 @@ void RegionService::keep(RegionQuestion question, const RegionConstPtr& region)
   }
   question.query.budget.stop = nullptr;
   question.query.progress = nullptr;
+  question.query.closed = nullptr;
+  question.query.plain_bounds.reset();
+  question.certificate.reset();
   context_.worker.post([this, question, region] { show(question, region); });  // whoever asked has the answer by then
 }
 

@@ -94,7 +94,10 @@ SingularityService::SingularityService(NodeContext& context)
 
 SingularityService::Question SingularityService::read(const FindSingularities::Request& request) const
 {
-  Question question{ {}, context_.frames.machineIn(request.header.frame_id) };
+  CriterionRequest built;
+  built.tolerances = request.tolerances;
+  built.own_tolerances = request.own_tolerances;
+  Question question{ {}, context_.frames.machineIn(request.header.frame_id, built) };
   SingularityQuery& query = question.task.query;
   Problems problems;
   requireUnused(request, problems);
@@ -117,7 +120,8 @@ SingularityService::Question SingularityService::read(const FindSingularities::R
     const auto ranges = readRanges(request, problems);
     throwProblems(problems);
     question.in.machine = std::make_shared<const Machine>(withJointLimits(*question.in.machine, ranges));
-    question.in.geometry_hash = withJointLimits(context_.machine(), ranges).geometryHash();
+    const Machine& own = context_.machine();
+    question.in.geometry_hash = withJointLimits(machineOf(built, own).value_or(own), ranges).geometryHash();
   }
   throwProblems(problems);
   return question;

@@ -47,6 +47,24 @@ TEST(FindSingularities, provesThatTheLargestCubeHasNone)
   EXPECT_EQ("base_link", found.header.frame_id);
 }
 
+// What is proved of every machine within tolerances is less, and its hypotheses say of which.
+TEST(FindSingularities, ofEveryMachineWithinTolerances)
+{
+  FindSingularities::Request request = overCube(0.5);
+  const auto meant = find(request);
+  request.tolerances.resize(1);
+  request.tolerances[0].kind = "tolerance_length";
+  request.tolerances[0].values = { 0.01 };
+  const auto built = find(request);
+  ASSERT_EQ(ErrorCode::SUCCESS, built.error_code) << built.message;
+  EXPECT_EQ(SingularityFinding::NONE, built.parallel.status);
+  EXPECT_LT(built.parallel.least.lower, meant.parallel.least.lower);
+  EXPECT_NE(meant.hypotheses.geometry_hash, built.hypotheses.geometry_hash);
+  EXPECT_FALSE(built.hypotheses.tolerances.empty());
+  request.own_tolerances = 7;
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, find(request).error_code);
+}
+
 /// The stroke of the largest cube allows a parallel singularity elsewhere, against a sentence of the paper.
 TEST(FindSingularities, provesOneWithinTheJointRangesOfTheCubeAndShowsIt)
 {

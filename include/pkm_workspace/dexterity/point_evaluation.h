@@ -60,6 +60,7 @@ public:
   PointEvaluator(const Machine& machine, const Criterion& criterion);
 
   const Machine& machine() const { return machine_; }
+  const Criterion& criterion() const { return criterion_; }
   const BoxTest& test() const { return test_; }
   /// @throws std::invalid_argument for a point that is not finite
   PointEvaluation operator()(const Eigen::Vector3d& point) const;
@@ -68,6 +69,7 @@ private:
   static void addValues(const Configuration& there, const PieceMotion& motion, PointEvaluation& result);
 
   Machine machine_;
+  Criterion criterion_;
   BoxTest test_;
   BoxTest reach_test_;
 };

@@ -208,6 +208,11 @@ inline auto largest_scale()
 {
   return [](auto& request) { request.largest_scale = true; };
 }
+/// Name of a file in the node's ~certificate_folder for the reasons of the proof.
+inline auto certificate(const std::string& name)
+{
+  return [name](auto& request) { request.certificate = name; };
+}
 /// Where the center of a region may be.
 inline auto search_box(const Triple& lower, const Triple& upper)
 {

@@ -8,9 +8,11 @@
 #include <pkm_workspace/Region.h>
 #include <pkm_workspace/RegionRequest.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "pkm_workspace/certificate/certificate_file.h"
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/region/largest_region.h"
 #include "pkm_workspace/ros/frames.h"
@@ -41,6 +43,7 @@ struct RegionQuestion
 {
   RegionQuery query;
   FramedMachine in;
+  std::shared_ptr<CertificateFile> certificate = {};  ///< that follows the search, or none
 };
 
 /// A computation that has ended: what was asked, and the answer.

@@ -54,6 +54,7 @@ struct Parameters
   bool show_boundary = false;                       ///< whether they show its undecided boxes too
   SetStyle set_style = SetStyle::SURFACE;           ///< ~set_style: what a set is drawn as
   SetColors set_colors = SetColors::CONDITION;      ///< ~set_colors: what colours of a set stand for
+  std::string certificate_folder = {};              ///< where certificates may be written; empty: nowhere
   double paving_resolution = 0.0;  ///< width of the smallest boxes shown [m], >= 0; 0: defaultResolution()
 
   /// Appends one sentence for each value that is out of range; it begins with the name of the parameter.

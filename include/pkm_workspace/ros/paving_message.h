@@ -5,6 +5,7 @@
 #include <pkm_workspace/PavingRequest.h>
 #include <pkm_workspace/Workspace.h>
 
+#include "pkm_workspace/certificate/certificate_file.h"
 #include "pkm_workspace/dexterity/unbounded.h"
 #include "pkm_workspace/ros/frames.h"
 #include "pkm_workspace/ros/parameters.h"
@@ -26,6 +27,7 @@ struct PavingQuestion
   bool components = false;      ///< whether they are asked for
   /// Two points that it is asked of whether they are connected [m], or none.
   std::vector<Eigen::Vector3d> connect = {};
+  std::shared_ptr<CertificateFile> certificate = {};
 };
 
 /// @param criterion what fields without a value stand for @param parameters other defaults and ceilings
