@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -32,11 +31,12 @@ public:
     , travel_axis_(machine.hasParallelRails() ? mainAxisOfRails(machine) : -1)
   {}
 
-  std::optional<Json> json(const Box& centers, double size) const
+  std::optional<std::string> text(const Box& centers, double size) const
   {
     for (const auto& leaf : record_.leaves())
       if (!leaf.second.is_proved)
         return std::nullopt;
+    bool is_open = false;
     std::size_t cuts = 0;  // a tree has one less than leaves
     const auto cutOf = [&](const Box& box) -> std::optional<std::pair<int, double>> {
       const int axis = box.widestAxis();
@@ -44,20 +44,23 @@ public:
         return std::nullopt;
       return std::make_pair(axis, box.center()[axis]);
     };
-    const auto leafOf = [&](const Box& box) {
+    const auto append = [&](const Box& box, std::string& tree) {
       const auto leaf = record_.leaves().find(keyOf(box));
-      return leaf == record_.leaves().end() ? Json() : leafJson(leaf->second);
+      if (leaf == record_.leaves().end())
+        is_open = true;
+      else
+        appendLeaf(leaf->second, tree);
     };
-    const Json tree = treeJson(centers, cutOf, leafOf);
-    if (std::count(tree.begin(), tree.end(), Json()) > 0)
-      return std::nullopt;  // some boxes are open
-    return Json{ { "size", size },
-                 { "centers", toJson(centers) },
-                 { "search_box", query_.search_box ? toJson(*query_.search_box) : Json() },
-                 { "travel_axis", travel_axis_ >= 0 ? Json(travel_axis_) : Json() },
-                 { "points", pointsJson() },
-                 { "bad", badPointsJson() },
-                 { "tree", tree } };
+    const std::string tree = treeText(centers, cutOf, append);
+    if (is_open)
+      return std::nullopt;
+    const Json bound{ { "size", size },
+                      { "centers", toJson(centers) },
+                      { "search_box", query_.search_box ? toJson(*query_.search_box) : Json() },
+                      { "travel_axis", travel_axis_ >= 0 ? Json(travel_axis_) : Json() },
+                      { "points", pointsJson() },
+                      { "bad", badPointsJson() } };
+    return withMember(bound, "tree", tree);
   }
 
 private:
@@ -75,33 +78,43 @@ private:
     Json points = Json::array();
     for (const Eigen::Vector3d& point : record_.badPoints())
     {
-      points.push_back(violationJson(test_, { point, point }).value_or(Json::object()));
+      std::string violation;
+      appendViolation(test_, { point, point }, violation);
+      points.push_back(Json::parse('{' + violation + '}'));
       points.back()["point"] = toJson(point);
     }
     return points;
   }
 
   /// Weights are of forms in metres, which the search makes numbers without unit.
-  Json termJson(const SearchRecord::Term& term, double size) const
+  double weightOf(const SearchRecord::Term& term, double size) const
   {
     if (term.kind == ReasonTerm::Kind::BAD_POINT)
-    {
-      const double radius = query_.shape->isBox() ? 1.0 : query_.shape->upper().at(size).x();
-      return { { "bad", term.place }, { "weight", shortened(term.weight / length_ / radius) } };
-    }
-    Json json = conditionJson(term.subject, term.v);
-    json["at"] = term.place;
-    const double per_length = std::ldexp(1.0, exponentPerLength(length_ * length_) * powerOf(term.subject.kind));
-    json["weight"] = shortened(term.weight * (term.kind == ReasonTerm::Kind::TRAVEL ? 1.0 / length_ : per_length));
-    return json;
+      return term.weight / length_ / (query_.shape->isBox() ? 1.0 : query_.shape->upper().at(size).x());
+    if (term.kind == ReasonTerm::Kind::TRAVEL)
+      return term.weight / length_;
+    return std::ldexp(term.weight, exponentPerLength(length_ * length_) * powerOf(term.subject.kind));
   }
 
-  Json leafJson(const SearchRecord::Leaf& leaf) const
+  void appendTerm(const SearchRecord::Term& term, double size, std::string& text) const
   {
-    Json terms = Json::array();
-    for (const SearchRecord::Term& term : leaf.terms)
-      terms.push_back(termJson(term, leaf.size));
-    return { { "size", leaf.size }, { "terms", terms } };
+    const bool is_bad_point = term.kind == ReasonTerm::Kind::BAD_POINT;
+    if (!is_bad_point)
+      appendCondition(term.subject, term.v, text);
+    text += (is_bad_point ? "\"bad\":" : ",\"at\":") + std::to_string(term.place) + ",\"weight\":";
+    appendShort(weightOf(term, size), text);
+  }
+
+  void appendLeaf(const SearchRecord::Leaf& leaf, std::string& text) const
+  {
+    text += "{\"size\":" + Json(leaf.size).dump() + ",\"terms\":[";
+    for (std::size_t k = 0; k < leaf.terms.size(); ++k)
+    {
+      text += k == 0 ? "{" : ",{";
+      appendTerm(leaf.terms[k], leaf.size, text);
+      text += '}';
+    }
+    text += "]}";
   }
 
   const BoxTest test_;
@@ -112,10 +125,10 @@ private:
 };
 }  // namespace
 
-std::optional<Json> boundJson(const Machine& machine, const RegionQuery& query, const SearchRecord& record,
-                              const Box& centers, double size)
+std::optional<std::string> boundText(const Machine& machine, const RegionQuery& query, const SearchRecord& record,
+                                     const Box& centers, double size)
 {
-  return BoundWriter(machine, query, record).json(centers, size);
+  return BoundWriter(machine, query, record).text(centers, size);
 }
 }  // namespace certificate
 }  // namespace pkm_workspace

@@ -16,7 +16,7 @@ namespace
 constexpr std::int64_t MOST_PARTS = 1000000;
 
 /// Proves the region once more and writes down how.
-Json regionJson(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
+std::string regionText(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& center, double size)
 {
   std::map<Key, std::pair<int, double>> cuts;
   Budget budget;
@@ -32,10 +32,8 @@ Json regionJson(const BoxTest& test, const Shape& shape, const Eigen::Vector3d& 
     const auto cut = cuts.find(keyOf(part));
     return cut == cuts.end() ? std::nullopt : std::make_optional(cut->second);
   };
-  return { { "center", toJson(center) },
-           { "size", size },
-           { "box", toJson(box) },
-           { "tree", treeJson(box, cutOf, [](const Box&) { return Json(0); }) } };
+  const Json region{ { "center", toJson(center) }, { "size", size }, { "box", toJson(box) } };
+  return withMember(region, "tree", treeText(box, cutOf, [](const Box&, std::string& text) { text += '0'; }));
 }
 
 void refuse(Problems& problems, bool is_asked, const char* what)
@@ -70,17 +68,18 @@ RegionCertificate certificateOf(const Machine& machine, const RegionQuery& query
   Problems problems;
   validateCertificate(machine, query, problems);
   throwProblems(problems);
-  Json json = headerOf(machine, query.criterion, query.shape.get());
+  Claims claims;
   if (region.size > 0.0)
-    json["region"] =
-        regionJson(BoxTest(machine, query.criterion, query.precision), *region.shape, region.center, region.size);
+    claims["region"] =
+        regionText(BoxTest(machine, query.criterion, query.precision), *region.shape, region.center, region.size);
   const Box centers = centerSpace(machine, query).centers;
-  if (const auto bound = boundJson(machine, query, record, centers, region.size_upper_bound))
-    json["bound"] = *bound;
-  if (json["region"].is_null() && json["bound"].is_null())
+  const auto bound = boundText(machine, query, record, centers, region.size_upper_bound);
+  if (bound)
+    claims["bound"] = *bound;
+  if (claims.empty())
     throw std::invalid_argument("there is nothing to certify: no region, and no reasons that a checker knows");
-  RegionCertificate certificate{ json.dump(), "" };
-  if (json["bound"].is_null())
+  RegionCertificate certificate{ fileOf(machine, query.criterion, query.shape.get(), claims), "" };
+  if (!bound)
     certificate.left_out =
         "the certificate has no bound: the search did not close all boxes, or for reasons that checkers do not know";
   return certificate;
@@ -92,8 +91,7 @@ std::string certificateOf(const Machine& machine, const Criterion& criterion, co
   Problems problems;
   validateCertificate(machine, criterion, problems);
   throwProblems(problems);
-  Json json = headerOf(machine, criterion, &shape);
-  json["region"] = regionJson(BoxTest(machine, criterion, Precision::MULTIPLE), shape, center, size);
-  return json.dump();
+  const BoxTest test(machine, criterion, Precision::MULTIPLE);
+  return fileOf(machine, criterion, &shape, { { "region", regionText(test, shape, center, size) } });
 }
 }  // namespace pkm_workspace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,50 +39,62 @@ inline Json toJson(const Box& box)
   return { toJson(box.lower), toJson(box.upper) };
 }
 
-/// All but the claims, which are null. @param shape nullptr where they are about none
-Json headerOf(const Machine& machine, const Criterion& criterion, const Shape* shape);
+// Trees are long, and become text at once.
+
+/// The text of each claim that there is, by its name.
+using Claims = std::map<std::string, std::string>;
+/// The whole file. @param shape nullptr where the claims are about none
+std::string fileOf(const Machine& machine, const Criterion& criterion, const Shape* shape, const Claims& claims);
+
+/// An object with one more member. @param text its value, JSON
+std::string withMember(const Json& object, const std::string& name, const std::string& text);
 
 /// To eight digits: reasons need no more.
-double shortened(double x);
-/// A condition, and which leg or vector it is about.
-Json conditionJson(const Subject& subject, const std::array<double, 3>& v);
-/// What is violated most at all points of a box, or nothing where no single form is.
-std::optional<Json> violationJson(const BoxTest& test, const Box& box);
+void appendShort(double x, std::string& text);
+/// The members that say a condition, and which leg or vector it is about.
+void appendCondition(const Subject& subject, const std::array<double, 3>& v, std::string& text);
+/// The same of what is violated most at all points of a box. @return false where no single form is
+bool appendViolation(const BoxTest& test, const Box& box, std::string& text);
 
 inline Key keyOf(const Box& box)
 {
   return { box.lower[0], box.lower[1], box.lower[2], box.upper[0], box.upper[1], box.upper[2] };
 }
 
-/// Appends a tree in the order in which it is walked: cuts, [axis, plane], each with its two parts behind it, and
-/// leaves.
-/// @param cutOf std::optional<std::pair<int, double>>(const Box&) @param leafOf Json(const Box&)
-template <class CutOf, class LeafOf>
-Json treeJson(const Box& root, const CutOf& cutOf, const LeafOf& leafOf)
+inline void appendCut(int axis, double plane, std::string& text)
 {
-  Json tree = Json::array();
+  text += '[' + std::to_string(axis) + ',' + Json(plane).dump() + ']';
+}
+
+/// A tree in the order in which it is walked: cuts, [axis, plane], each with its two parts behind it, and leaves.
+/// @param cutOf std::optional<std::pair<int, double>>(const Box&) @param appendLeaf void(const Box&, std::string&)
+template <class CutOf, class AppendLeaf>
+std::string treeText(const Box& root, const CutOf& cutOf, const AppendLeaf& appendLeaf)
+{
+  std::string tree;
   std::vector<Box> open = { root };
   while (!open.empty())
   {
     const Box box = open.back();
     open.pop_back();
+    tree += tree.empty() ? '[' : ',';
     const auto cut = cutOf(box);
     if (!cut)
     {
-      tree.push_back(leafOf(box));
+      appendLeaf(box, tree);
       continue;
     }
-    tree.push_back({ cut->first, cut->second });
+    appendCut(cut->first, cut->second, tree);
     const auto halves = box.splitAt(cut->first, cut->second);
     open.push_back(halves.second);
     open.push_back(halves.first);
   }
-  return tree;
+  return tree + ']';
 }
 
 /// The bound of a search, or nothing where a box has no reason to show.
 /// @param centers the box that was searched
-std::optional<Json> boundJson(const Machine& machine, const RegionQuery& query, const SearchRecord& record,
-                              const Box& centers, double size);
+std::optional<std::string> boundText(const Machine& machine, const RegionQuery& query, const SearchRecord& record,
+                                     const Box& centers, double size);
 }  // namespace certificate
 }  // namespace pkm_workspace

@@ -95,19 +95,30 @@ Json bodyJson(const Shape& shape)
 
 }  // namespace
 
-Json headerOf(const Machine& machine, const Criterion& criterion, const Shape* shape)
+std::string withMember(const Json& object, const std::string& name, const std::string& text)
 {
-  return { { "format", "pkm_workspace certificate" },
-           { "version", 1 },
-           { "written_by", version() },
-           { "geometry_hash", machine.geometryHash() },
-           { "machine", machineJson(machine) },
-           { "criterion", criterionJson(machine, criterion) },
-           { "body", shape ? bodyJson(*shape) : Json() },
-           { "region", Json() },
-           { "bound", Json() },
-           { "boxes", Json() },
-           { "path", Json() } };
+  std::string result = object.dump();
+  result.back() = ',';
+  return result + Json(name).dump() + ':' + text + '}';
+}
+
+std::string fileOf(const Machine& machine, const Criterion& criterion, const Shape* shape, const Claims& claims)
+{
+  std::string members;
+  for (const char* name : { "region", "bound", "boxes", "path" })
+  {
+    const auto claim = claims.find(name);
+    members +=
+        (members.empty() ? "" : ",\"" + std::string(name) + "\":") + (claim == claims.end() ? "null" : claim->second);
+  }
+  const Json header{ { "format", "pkm_workspace certificate" },
+                     { "version", 1 },
+                     { "written_by", version() },
+                     { "geometry_hash", machine.geometryHash() },
+                     { "machine", machineJson(machine) },
+                     { "criterion", criterionJson(machine, criterion) },
+                     { "body", shape ? bodyJson(*shape) : Json() } };
+  return withMember(header, "region", members);
 }
 }  // namespace certificate
 }  // namespace pkm_workspace

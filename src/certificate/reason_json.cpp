@@ -8,12 +8,22 @@ namespace pkm_workspace
 {
 namespace certificate
 {
-double shortened(double x)
+/// As a whole number and a power of ten: shortest fractions take several times as long.
+void appendShort(double x, std::string& text)
 {
-  if (x == 0.0 || !std::isfinite(x))
-    return x;
-  const double unit = std::pow(10.0, 7 - std::floor(std::log10(std::abs(x))));
-  return std::isfinite(unit) && unit > 0.0 ? std::round(x * unit) / unit : x;
+  int power = x == 0.0 || !std::isfinite(x) ? 0 : static_cast<int>(std::floor(std::log10(std::abs(x)))) - 7;
+  const double scaled = x * std::pow(10.0, -power);
+  if (x == 0.0 || !std::isfinite(scaled))
+  {
+    text += Json(x).dump();
+    return;
+  }
+  std::int64_t digits = std::llround(scaled);
+  for (; digits % 10 == 0; ++power)
+    digits /= 10;
+  text += std::to_string(digits);
+  if (power != 0)
+    text += 'e' + std::to_string(power);
 }
 
 namespace
@@ -40,17 +50,26 @@ const char* nameOf(ConditionKind kind)
 }
 }  // namespace
 
-Json conditionJson(const Subject& subject, const std::array<double, 3>& v)
+void appendCondition(const Subject& subject, const std::array<double, 3>& v, std::string& text)
 {
-  Json json = { { "of", nameOf(subject.kind) } };
-  if (subject.kind == ConditionKind::PSI_MIN || subject.kind == ConditionKind::PSI_MAX)
-    json["v"] = { shortened(v[0]), shortened(v[1]), shortened(v[2]) };
-  else if (subject.kind != ConditionKind::ASPECT)
-    json["leg"] = subject.leg;
-  return json;
+  text += "\"of\":\"";
+  text += nameOf(subject.kind);
+  text += '"';
+  if (subject.kind != ConditionKind::PSI_MIN && subject.kind != ConditionKind::PSI_MAX)
+  {
+    if (subject.kind != ConditionKind::ASPECT)
+      text += ",\"leg\":" + std::to_string(subject.leg);
+    return;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    text += k == 0 ? ",\"v\":[" : ",";
+    appendShort(v[k], text);
+  }
+  text += ']';
 }
 
-std::optional<Json> violationJson(const BoxTest& test, const Box& box)
+bool appendViolation(const BoxTest& test, const Box& box, std::string& text)
 {
   NecessaryForms necessary;
   std::vector<FormOrigin> origins(NecessaryForms::MOST, FormOrigin{ { ConditionKind::REACH }, {}, {} });
@@ -61,8 +80,9 @@ std::optional<Json> violationJson(const BoxTest& test, const Box& box)
     if (necessary.form[k].upper() < necessary.form[worst].upper())
       worst = k;
   if (!necessary.violated && (necessary.forms == 0 || !(necessary.form[worst].upper() < 0.0)))
-    return std::nullopt;
-  return conditionJson(origins[worst].subject, origins[worst].v);
+    return false;
+  appendCondition(origins[worst].subject, origins[worst].v, text);
+  return true;
 }
 }  // namespace certificate
 }  // namespace pkm_workspace

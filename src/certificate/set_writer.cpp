@@ -13,12 +13,11 @@ namespace
 /// Pieces of a segment are not halved further than this.
 constexpr double SHORTEST_PIECE = 0x1p-30;
 
-Json checkedHeader(const Machine& machine, const Criterion& criterion)
+void requireKnown(const Machine& machine, const Criterion& criterion)
 {
   Problems problems;
   validateCertificate(machine, criterion, problems);
   throwProblems(problems);
-  return headerOf(machine, criterion, nullptr);
 }
 
 /// Walks the boxes of a paving as they are divided, and writes down what is known of each.
@@ -27,29 +26,30 @@ class PavingWriter
 public:
   PavingWriter(const BoxTest& test, const BoxTree& tree) : test_(test), tree_(tree), next_(tree.levels(), 0) {}
 
-  Json json()
+  std::string text()
   {
-    Json tree = Json::array();
+    std::string tree;
     std::vector<std::pair<Cell, std::size_t>> open = { { Cell{}, 0 } };
     while (!open.empty())
     {
       const auto [cell, level] = open.back();
       open.pop_back();
       const CellState state = tree_.level(level)[next_[level]++];
+      tree += tree.empty() ? '[' : ',';
       if (state != CellState::SPLIT)
       {
-        tree.push_back(leafJson(state, tree_.bisection().box(cell, level)));
+        appendLeaf(state, tree_.bisection().box(cell, level), tree);
         continue;
       }
       const Cell first = tree_.bisection().half(cell, level, 0);
       const Box whole = tree_.bisection().box(cell, level);
       const Box half = tree_.bisection().box(first, level + 1);
       const int axis = axisOf(whole, half);
-      tree.push_back({ axis, half.upper[axis] });
+      appendCut(axis, half.upper[axis], tree);
       open.emplace_back(tree_.bisection().half(cell, level, 1), level + 1);
       open.emplace_back(first, level + 1);
     }
-    return tree;
+    return tree + ']';
   }
 
 private:
@@ -61,11 +61,13 @@ private:
   }
 
   /// What no single form says is not claimed.
-  Json leafJson(CellState state, const Box& box) const
+  void appendLeaf(CellState state, const Box& box, std::string& text) const
   {
-    if (state == CellState::OUTSIDE)
-      return violationJson(test_, box).value_or(Json(0));
-    return state == CellState::INSIDE ? 1 : 0;
+    std::string violation;
+    if (state == CellState::OUTSIDE && appendViolation(test_, box, violation))
+      text += '{' + violation + '}';
+    else
+      text += state == CellState::INSIDE ? '1' : '0';
   }
 
   const BoxTest& test_;
@@ -94,15 +96,16 @@ void provePieces(const BoxTest& test, const Curve& curve, double first, double l
 
 std::string certificateOf(const Machine& machine, const Criterion& criterion, const Paving& paving)
 {
-  Json json = checkedHeader(machine, criterion);
+  requireKnown(machine, criterion);
   const BoxTest test(machine, criterion);
-  json["boxes"] = { { "box", toJson(paving.box) }, { "tree", PavingWriter(test, paving.tree).json() } };
-  return json.dump();
+  const std::string boxes =
+      withMember({ { "box", toJson(paving.box) } }, "tree", PavingWriter(test, paving.tree).text());
+  return fileOf(machine, criterion, nullptr, { { "boxes", boxes } });
 }
 
 std::string certificateOf(const Machine& machine, const Criterion& criterion, const std::vector<PathSegment>& path)
 {
-  Json json = checkedHeader(machine, criterion);
+  requireKnown(machine, criterion);
   const BoxTest test(machine, criterion);
   Json segments = Json::array();
   for (const PathSegment& segment : path)
@@ -113,7 +116,6 @@ std::string certificateOf(const Machine& machine, const Criterion& criterion, co
     provePieces(test, segment.curve(), 0.0, 1.0, cuts);
     segments.push_back({ toJson((*segment.ends())[0]), toJson((*segment.ends())[1]), cuts });
   }
-  json["path"] = segments;
-  return json.dump();
+  return fileOf(machine, criterion, nullptr, { { "path", segments.dump() } });
 }
 }  // namespace pkm_workspace
