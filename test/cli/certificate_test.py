@@ -22,6 +22,20 @@ ALTERED = 12 * int(os.environ.get("PKM_WORKSPACE_TEST_CASES", 1))
 PROTOTYPE = str(URDF / "orthoglide_prototype.urdf")
 
 
+def spoiled(rng, data):
+    """The bytes with one of them changed, some missing, or some twice."""
+    first, last = sorted(rng.sample(range(len(data) + 1), 2))
+    change = rng.choice(("bit", "byte", "cut", "hole", "twice"))
+    if change == "bit":
+        return data[:first] + bytes([data[first] ^ 1 << rng.randrange(8)]) + data[first + 1:]
+    if change == "byte":
+        return data[:first] + bytes([rng.randrange(256)]) + data[first + 1:]
+    if change == "cut":
+        return data[:first]
+    last = min(last, first + 64)
+    return data[:first] + (data[first:last] * 2 if change == "twice" else b"") + data[last:]
+
+
 class Certificate(CommandTest):
     def write(self, *words, command="largest"):
         """@return the answer, and what the certificate says"""
@@ -124,6 +138,26 @@ class Certificate(CommandTest):
                 with self.subTest(words=words, how=how, number=k, seed=SEED):
                     self.assertIsNone(self.by_python(false))
                     self.assertIsNone(self.by_pkm(json.dumps(false)))
+
+    def test_bytes_that_a_disk_spoils_are_refused_or_proved_by_both(self):
+        rng = random.Random(SEED)
+        _, data, path = self.write("--urdf", URANESX, "--shape", "square", "--accuracy", 0.05)
+        whole = path.read_bytes()
+        whole_says = self.by_python(data)
+        refused = 0
+        for number in range(10 * ALTERED):
+            text = spoiled(rng, whole).decode("latin-1")
+            with self.subTest(number=number, seed=SEED):
+                try:
+                    by_python = self.by_python(json.loads(text, object_pairs_hook=check_certificate.once))
+                except (check_certificate.Refused, *check_certificate.NOT_UNDERSTOOD):
+                    by_python = None
+                self.assertEqual(self.by_pkm(text), by_python)
+                refused += by_python is None
+                if by_python == whole_says:  # then it is about what it was about, but for names
+                    changed = [name for name in ("criterion", "body") if json.loads(text)[name] != data[name]]
+                    self.assertEqual(changed, [])
+        self.assertGreater(refused, 5 * ALTERED)
 
     def test_what_certificates_do_not_know_is_refused_before_the_search(self):
         path = self.folder / "arc.json"

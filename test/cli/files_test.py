@@ -16,7 +16,7 @@ LEAVING = "start 0 0 0\n" + 600 * "line 0.1 0 0\n" + "line 0.9 0.9 0.9\n"  # its
 
 def failing(file, after, *words):
     """The finished process, where the disk fails after so many bytes of the file."""
-    env = {**os.environ, "LD_PRELOAD": os.environ["FAILING_READ"], "FAILING_FILE": file, "FAILING_AFTER": str(after)}
+    env = {**os.environ, "LD_PRELOAD": os.environ["FAILING_DISK"], "FAILING_FILE": file, "FAILING_AFTER": str(after)}
     return subprocess.run([PKM, *map(str, words)], capture_output=True, text=True, env=env)
 
 
