@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A full disk, and a process that is killed, at every call that changes the disk: files are the old or the new ones, whole."""
+"""A disk that is full, and a kill, at every call that changes a file: files are the old or the new ones, whole."""
 
 import os
 import subprocess
@@ -25,7 +25,8 @@ class Faults(CommandTest):
         names = ("set.paving", "set.json", "set.stl", "set.bt")
         self.pave = (*PAVING, *self.outputs(zip(("--save", "--certificate", "--mesh", "--octomap"), names)))
         self.commands = ((self.pave, names),
-                         (("largest", "--urdf", ORTHOGLIDE, *self.outputs([("--certificate", "cube.json")])), ["cube.json"]),
+                         (("largest", "--urdf", ORTHOGLIDE, *self.outputs([("--certificate", "cube.json")])),
+                          ["cube.json"]),
                          (("urdf", "--machine", "delta", *self.outputs([("--output", "delta.urdf")])), ["delta.urdf"]))
 
     def outputs(self, options):
