@@ -97,10 +97,10 @@ private:
       result_.verdict = Containment::INSIDE;
   }
 
-  /// Parts without a point of the region are none.
+  /// Parts without a point of the region are none. A box has no such parts.
   void open(const Box& part)
   {
-    if (!shape_.misses(part, center_, size_))
+    if (shape_.isBox() || !shape_.misses(part, center_, size_))
       open_.put(part);
   }
 

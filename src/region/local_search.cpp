@@ -140,7 +140,10 @@ void LocalSearch::addRow(const AffineForm<double>& form, double trust, std::size
   }
   row.offset += 0.5 * slack_;  // the unknown violation runs from 0 to slack_
   row.slope[4] = 0.5 * slack_;
-  if (std::isfinite(row.slope[3]) && std::isfinite(row.offset))
+  double reach = 0.0;  // of the slope within the unit cube: most rows bind nowhere in it
+  for (const double slope : row.slope)
+    reach += std::abs(slope);
+  if (row.offset < reach && std::isfinite(row.offset) && std::isfinite(reach))
     programme_.add(row);
 }
 
