@@ -23,11 +23,7 @@ struct Jet
   Jet(const Ball& v, const Vector& s) : value(v), slope(s) {}
 
   /// Its values all over the cube.
-  Ball range() const
-  {
-    const Ball one(0.0, 1.0);
-    return value + slope[0] * one + slope[1] * one + slope[2] * one;
-  }
+  Ball range() const { return value.widenedBy(slope[0].most() + slope[1].most() + slope[2].most()); }
 };
 
 using JetVector = std::array<Jet, 3>;

@@ -27,6 +27,8 @@ struct Member
 /// Magnitudes from 1e-12 to 1e12, radii from nothing to as much; middles that have more digits than a double.
 Member someMember(Random& random)
 {
+  if (random.once(50))
+    return { Ball(), Wide(0) };
   const double middle = random.sign() * std::pow(10.0, random.uniform(-12.0, 12.0));
   const double radius = random.once(3) ? 0.0 : std::abs(middle) * std::pow(10.0, random.uniform(-40.0, 0.3));
   const double share = random.once(3) ? random.sign() : random.uniform(-1.0, 1.0);
@@ -56,6 +58,7 @@ TEST(Ball, hasWhatItsMembersBecome)
       const Ball difference = a.ball - b.ball;
       const Ball product = a.ball * b.ball;
       const Ball quotient = a.ball / b.ball;
+      const Ball wider = a.ball.widenedBy(b.ball.most());
       const Ball root = sqrt(a.ball);
       const Ball hull =
           Ball::between(std::min(a.ball.lower(), b.ball.lower()), std::max(a.ball.upper(), b.ball.upper()));
@@ -63,6 +66,8 @@ TEST(Ball, hasWhatItsMembersBecome)
       expectHas(sum, a.value + b.value);
       expectHas(difference, a.value - b.value);
       expectHas(product, a.value * b.value);
+      expectHas(wider, a.value + b.value);
+      expectHas(wider, a.value - b.value);
       if (std::isfinite(quotient.radius()))
         expectHas(quotient, a.value / b.value);
       if (a.value >= 0)

@@ -44,9 +44,14 @@ public:
   /// No member's magnitude is larger.
   double most() const { return up(magnitude(middle_) + radius_); }
 
+  /// All that is no further than @p distance >= 0 from a member.
+  Ball widenedBy(double distance) const { return distance == 0.0 ? *this : Ball(middle_, up(radius_ + distance)); }
+
   friend Ball operator-(const Ball& a) { return { -a.middle_, a.radius_ }; }
   friend Ball operator+(const Ball& a, const Ball& b)
   {
+    if (a.isZero() || b.isZero())
+      return a.isZero() ? b : a;
     mpfr_clear_inexflag();
     const Middle sum = a.middle_ + b.middle_;
     const bool is_rounded = mpfr_inexflag_p() != 0;
@@ -55,6 +60,8 @@ public:
   friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
   friend Ball operator*(const Ball& a, const Ball& b)
   {
+    if ((a.isZero() && isfinite(b.middle_)) || (b.isZero() && isfinite(a.middle_)))  // most slopes are
+      return {};
     mpfr_clear_inexflag();
     const Middle product = a.middle_ * b.middle_;
     const bool is_rounded = mpfr_inexflag_p() != 0;
@@ -92,6 +99,7 @@ private:
   static double down(const Middle& x) { return x.convert_to<double>() * (1.0 - 0x1p-40); }
   static double magnitude(const Middle& x) { return up(std::abs(x.convert_to<double>())); }
 
+  bool isZero() const { return radius_ == 0.0 && middle_.is_zero(); }
   static bool isExact(const Ball& a, const Ball& b) { return a.radius_ == 0.0 && b.radius_ == 0.0; }
 
   /// Allows for the rounding of the middle.
