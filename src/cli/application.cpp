@@ -24,13 +24,6 @@ enum ExitCode
   BAD_INPUT = 2
 };
 
-struct NamedCommand
-{
-  const char* name;
-  const char* summary;
-  std::unique_ptr<Command> (*make)();
-};
-
 const NamedCommand COMMANDS[] = {
   { "evaluate", "how the machine stands at one tool point", makeEvaluate },
   { "largest", "the largest region of a shape in which every point is dextrous", makeLargest },
@@ -83,23 +76,44 @@ void printHelp(std::ostream& out)
       << wrapped(CONVENTIONS);
 }
 
-const NamedCommand& findCommand(const std::string& name)
-{
-  Words names;
-  for (const NamedCommand& command : COMMANDS)
-  {
-    if (command.name == name)
-      return command;
-    names.push_back(command.name);
-  }
-  throw std::invalid_argument("'" + name + "' is not a command; allowed: " + joined(names, ", "));
-}
-
 void printHelp(const NamedCommand& entry, const Command& command, const Options& options, std::ostream& out)
 {
   out << "usage: pkm " << entry.name << options.leadingWord() << " [OPTION...]\n\n"
       << wrapped(command.description()) << listed(command.examples());
   options.describe(out);
+}
+
+Json listed(const Box& box)
+{
+  Json ends = Json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double end : { box.lower[axis], box.upper[axis] })
+      ends.push_back(end);
+  return ends;
+}
+
+void print(const LongList& list, std::ostream& out)
+{
+  writeList(list.goes_on, list.next, 2, out);
+}
+
+void print(const BoxLists& lists, std::ostream& out)
+{
+  const char* separator = "{";
+  for (const auto& [name, make] : lists)
+  {
+    const std::vector<Box> boxes = make();
+    out << separator << "\n    " << Json(name).dump() << ": ";
+    writeList(
+        boxes.size(), [&boxes](std::size_t k) { return listed(boxes[k]); }, 4, out);
+    separator = ",";
+  }
+  out << "\n  }";
+}
+
+void print(const std::function<Json()>& make, std::ostream& out)
+{
+  out << make().dump();
 }
 
 void print(const Answer& answer, bool json, std::ostream& out)
@@ -110,16 +124,16 @@ void print(const Answer& answer, bool json, std::ostream& out)
     if (!answer.long_members.empty())
       object.resize(object.size() - 2);  // "\n}"
     out << object;
-    for (const auto& member : answer.long_members)
+    for (const auto& [name, member] : answer.long_members)
     {
-      out << ",\n  " << nlohmann::json(member.first).dump() << ": ";
-      member.second(out);
+      out << ",\n  " << Json(name).dump() << ": ";
+      std::visit([&out](const auto& known) { print(known, out); }, member);
     }
     out << (answer.long_members.empty() ? "\n" : "\n}\n");
   }
   else
   {
-    out << answer.text;
+    out << answer.text();
     if (answer.long_text)
       answer.long_text(out);
   }
@@ -154,19 +168,21 @@ void printAndSave(Command& command, bool json, std::ostream& out)
 void runCommand(const NamedCommand& entry, const Words& words, std::ostream& out, std::ostream& err)
 {
   const auto command = entry.make();
-  Options options;
+  Shell shell(err);
+  command->setCaller(shell);
   bool json = false;
-  bool help = false;
+  bool help = std::find(words.begin(), words.end(), "--help") != words.end();
+  Options options(help);
   command->declare(options);
   options.flag("json", json, "prints one JSON object in place of the text");
   options.flag("help", help, "prints this text");
-  if (std::find(words.begin(), words.end(), "--help") != words.end())
+  if (help)
     return printHelp(entry, *command, options, out);
   options.parse(words);
   for (const std::string& warning : command->warnings())
-    err << "pkm: warning: " << warning << std::endl;
+    shell.warn(warning);
   for (const std::string& note : command->notes())
-    err << "pkm: note: " << note << std::endl;
+    shell.note(note);
   printAndSave(*command, json, out);
 }
 
@@ -190,6 +206,18 @@ void tell(const std::string& reason, std::ostream& err)
     err << "pkm: " << line << "\n";
 }
 }  // namespace
+
+const NamedCommand& findCommand(const std::string& name)
+{
+  Words names;
+  for (const NamedCommand& command : COMMANDS)
+  {
+    if (command.name == name)
+      return command;
+    names.push_back(command.name);
+  }
+  throw std::invalid_argument("'" + name + "' is not a command; allowed: " + joined(names, ", "));
+}
 
 const char* const OUT_OF_MEMORY =
     "pkm: the memory is used up: ask for less (fewer points, a coarser --resolution, --max-memory), or free some\n";

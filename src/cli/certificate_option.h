@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <iostream>
 #include <string>
 
+#include "caller.h"
 #include "common_options.h"
 #include "pkm_workspace/certificate/certificate_file.h"
 
@@ -22,13 +22,13 @@ public:
                   "replaced");
   }
 
-  /// Says on the error stream what the certificate does not claim.
+  /// Notes what the certificate does not claim.
   template <class... Answer>
-  void save(const Answer&... answer) const
+  void save(Caller& caller, const Answer&... answer) const
   {
     const std::string left_out = CertificateFile::save(answer...);
     if (!left_out.empty())
-      std::cerr << "pkm: note: " << left_out << std::endl;
+      caller.note(left_out);
   }
 };
 }  // namespace cli

@@ -90,11 +90,11 @@ public:
   {
     const Machine& machine = machine_.machine();
     certificate_.validate(machine, criterion_);
-    const Progress progress(progress_);
+    const Progress progress = caller().progress(progress_);
     const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
     if (centers_)
       return answerForAll(test);
-    budget_.stop = stopOnSignal();
+    budget_.stop = caller().stop();
     const Solid& solid = body_.solid();
     result_ = checkContainment(test, *solid.shape, *center_, solid.size, budget_);
     const ContainmentResult& result = result_;
@@ -115,13 +115,13 @@ public:
     if (result.verdict == Containment::INSIDE && !criterion_.joint_limits)
       addLimits(machine, criterion_, reachOver(machine, *solid.shape, *center_, solid.size), json);
     json["message"] = message(result);
-    return { json, print(result) + (bad ? aboutMachine(*bad) : "") };
+    return { json, Text([this, bad] { return print(result_) + (bad ? aboutMachine(*bad) : ""); }) };
   }
 
   void save() override
   {
     if (certificate_.given())
-      certificate_.save(machine_.machine(), criterion_, result_.verdict, body_.solid(), *center_);
+      certificate_.save(caller(), machine_.machine(), criterion_, result_.verdict, body_.solid(), *center_);
   }
 
 private:
@@ -143,7 +143,7 @@ private:
   Answer answerForAll(const BoxTest& test) const
   {
     BisectionLimits limits;
-    limits.stop = stopOnSignalOrAfter(budget_.time_limit);
+    limits.stop = caller().stopAfter(budget_.time_limit);
     limits.center_width *= machine_.machine().scale();
     limits.part_width *= machine_.machine().scale();
     std::vector<Box> carriers;
@@ -163,7 +163,7 @@ private:
     json["sides"] = toJson(sides);
     addLimits(machine, criterion_, reaches, json);
     const bool is_stopped = share == Share::UNDECIDED && *limits.stop;
-    const std::string reason = is_stopped ? "; " + stoppedBy(budget_.time_limit) + " ended the proof" : "";
+    const std::string reason = is_stopped ? "; " + caller().stoppedBy(budget_.time_limit) + " ended the proof" : "";
     const std::string text = "Of the centers from " + describe(centers_->lower) + " to " + describe(centers_->upper) +
                              ", " + sentence(share) + " carry a box with sides " + describe(sides) + reason + ".";
     const std::string remark = remarkOnLimits(machine, criterion_, reaches);

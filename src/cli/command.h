@@ -8,12 +8,17 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <variant>
 
+#include "caller.h"
 #include "options.h"
 #include "pkm_workspace/dexterity/unbounded.h"
 
 namespace pkm_workspace
 {
+struct UrdfMachine;
+
 namespace cli
 {
 /// Something outside the program failed: the memory, the disk, who reads the answer.
@@ -26,13 +31,38 @@ public:
 /// Writes what is too long to be held while it is made.
 using Writer = std::function<void(std::ostream&)>;
 
+/// A text that is made when it is read.
+class Text
+{
+public:
+  template <class Made, class = std::enable_if_t<std::is_convertible_v<Made, std::string>>>
+  Text(const Made& text) : make_([made = std::string(text)] { return made; })
+  {}
+  Text(std::function<std::string()> make) : make_(std::move(make)) {}
+  std::string operator()() const { return make_(); }
+
+private:
+  std::function<std::string()> make_;
+};
+
+/// A list that is made entry by entry, so that it need not be held.
+struct LongList
+{
+  std::function<bool()> goes_on;  ///< whether there is another entry
+  std::function<nlohmann::json()> next;
+};
+/// Lists of boxes, by name.
+using BoxLists = std::map<std::string, std::function<std::vector<Box>()>>;
+/// What is long, or known only after that.
+using LongMember = std::variant<LongList, BoxLists, std::function<nlohmann::json()>>;
+
 /// What a command prints on standard output: the object with --json, the text without.
 struct Answer
 {
   nlohmann::json json;
-  std::string text;
-  std::map<std::string, Writer> long_members = {};  ///< more members of the object, by name
-  Writer long_text = {};                            ///< what follows the text
+  Text text;
+  std::map<std::string, LongMember> long_members = {};  ///< more members of the object, by name, made in their order
+  Writer long_text = {};                                ///< what follows the text
 };
 
 /// One command of pkm, for one call: its options are its members.
@@ -40,6 +70,8 @@ class Command
 {
 public:
   virtual ~Command() = default;
+  /// Who runs it, told before all else.
+  void setCaller(Caller& caller) { caller_ = &caller; }
   /// What it does and what its answer means, for the help text.
   virtual std::string description() const = 0;
   /// Command lines that work.
@@ -57,7 +89,25 @@ public:
   /// Keeps in files what was computed; called last. @pre the answer was printed @throws std::invalid_argument with the
   /// reason
   virtual void save() {}
+  /// The machine that it makes, if that is what it does. @pre as above
+  virtual const UrdfMachine* made() { return nullptr; }
+
+protected:
+  Caller& caller() const { return *caller_; }
+
+private:
+  Caller* caller_ = nullptr;
 };
+
+struct NamedCommand
+{
+  const char* name;
+  const char* summary;
+  std::unique_ptr<Command> (*make)();
+};
+
+/// @throws std::invalid_argument where there is none of that name
+const NamedCommand& findCommand(const std::string& name);
 
 std::unique_ptr<Command> makeEvaluate();
 std::unique_ptr<Command> makeLargest();

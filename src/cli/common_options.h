@@ -34,7 +34,11 @@ class MachineOptions
 public:
   void declare(Options& options);
   /// @pre the options have been parsed @throws std::bad_optional_access in conditions on a machine that was refused
-  const Machine& machine() const { return urdf_.value().machine; }
+  const Machine& machine() const { return urdf().machine; }
+  /// The same with what else its URDF says.
+  const UrdfMachine& urdf() const { return urdf_.value(); }
+  /// With which it was read. @pre as above
+  const UrdfOptions& names() const { return names_; }
   Words warnings() const
   {
     Words all = remarksOn(*urdf_);
@@ -52,6 +56,9 @@ public:
   void note(const std::string& text) { notes_.push_back(text); }
 
 private:
+  void read(const Options& options, Problems& problems);
+  void take(const GivenMachine& given);
+
   std::string path_;
   UrdfOptions names_;
   ToleranceWish tolerances_;
@@ -73,7 +80,7 @@ public:
   /// In the order given. @pre the options have been parsed
   const std::vector<UrdfMachine>& machines() const { return machines_; }
   /// How many were asked for, read or not.
-  std::size_t count() const { return requests_.size(); }
+  std::size_t count() const { return given_ + requests_.size(); }
   Words warnings() const;
 
 private:
@@ -94,6 +101,7 @@ private:
   void declareNames(Options& options, const std::string& name, const std::string& values, const std::string& help,
                     Member member);
 
+  std::size_t given_ = 0;  ///< of the machines: those that were read before
   std::vector<Request> requests_;
   std::vector<UrdfMachine> machines_;
 };

@@ -158,8 +158,8 @@ public:
   Answer answer() override
   {
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
-    query_.budget.stop = stopOnSignal();
-    Progress progress(progress_);
+    query_.budget.stop = caller().stop();
+    Progress progress = caller().progress(progress_);
     const Tell tell = [&](const std::string& text) { progress.tell(text); };
     return paper_ ? answerPaper(tell) : answerMachines(tell);
   }

@@ -54,8 +54,8 @@ public:
 
   Answer answer() override
   {
-    task_.query.budget.stop = stopOnSignal();
-    const Progress progress(progress_);
+    task_.query.budget.stop = caller().stop();
+    const Progress progress = caller().progress(progress_);
     const Machine& machine = machine_.machine();
     const ConditioningReport report = globalConditioning(machine, task_);
     const GlobalConditioning& found = report.found;
@@ -70,7 +70,7 @@ public:
     if (!task_.region)
       addLimits(machine, task_.criterion, report.reaches, json);
     json["message"] = report.message;
-    return { json, print(found, report.message) };
+    return { json, Text([this, report] { return print(report.found, report.message); }) };
   }
 
 private:

@@ -80,8 +80,8 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    const Progress progress(progress_);
-    task_.query.budget.stop = stopOnSignal();
+    const Progress progress = caller().progress(progress_);
+    task_.query.budget.stop = caller().stop();
     task_.from = from_ ? *from_ : startOf(machine, task_.query.criterion);
     task_.to = *to_;
     ConnectionReport report = connect(machine, task_);

@@ -131,17 +131,15 @@ public:
     if (point_)
     {
       json.update(stateAt(*evaluator, *point_));
-      return { json, print(json) };
+      return { json, Text([this, json] { return print(json); }) };
     }
-    const std::atomic<bool>* const stop = stopOnSignalOrAfter(time_limit_);
-    goes_on_ = [this, stop] { return evaluated_ < points_.size() && !*stop; };
+    const std::atomic<bool>* const stop = caller().stopAfter(time_limit_);
+    const auto progress = std::shared_ptr<const Progress>(new Progress(caller().progress(progress_)));
+    goes_on_ = [this, stop, progress] { return evaluated_ < points_.size() && !*stop; };
     Answer answer{ json, "" };
-    answer.long_members["points"] = [this, evaluator](std::ostream& out) {
-      const Progress progress(progress_);
-      writeList(
-          goes_on_, [&] { return stateAt(*evaluator, points_[evaluated_++]); }, 2, out);
-    };
-    answer.long_members["points_left"] = [this](std::ostream& out) { out << points_.size() - evaluated_; };
+    answer.long_members["points"] =
+        LongList{ goes_on_, [this, evaluator] { return stateAt(*evaluator, points_[evaluated_++]); } };
+    answer.long_members["points_left"] = [this] { return Json(points_.size() - evaluated_); };
     answer.long_text = [this, evaluator](std::ostream& out) { writeTable(*evaluator, out); };
     return answer;
   }
@@ -183,7 +181,6 @@ private:
     };
     write({ "point [m]", "", "", "psi", "", "", name(criterion_.set) });
     std::optional<JointReaches> reaches;
-    const Progress progress(progress_);
     while (goes_on_())
       write(rowAt(evaluator, points_[evaluated_++], reaches));
     out << '\n' << wrapped(conclusion(reaches)) << wrapped(definition(machine_.machine(), criterion_));
@@ -194,7 +191,9 @@ private:
   {
     const std::size_t left = points_.size() - evaluated_;
     const std::string text =
-        left == 0 ? "" : std::to_string(left) + " points are left out: " + stoppedBy(time_limit_) + " ended the proof.";
+        left == 0
+            ? ""
+            : std::to_string(left) + " points are left out: " + caller().stoppedBy(time_limit_) + " ended the proof.";
     const std::string remark = remarkOnLimits(machine_.machine(), criterion_, reaches);
     return text.empty() ? remark : withRemark(text, remark);
   }

@@ -69,8 +69,8 @@ public:
 
   Answer answer() override
   {
-    const Progress progress(false);
-    task_.budget.stop = stopOnSignal();
+    const Progress progress = caller().progress(false);
+    task_.budget.stop = caller().stop();
     task_.budget.max_boxes = DEFAULT_CHECK_BOXES;
     const FirmwareLimits limits = exportLimits(PointEvaluator(machine_.machine(), criterion_), task_).limits;
     Json json = contextOf(machine_.machine(), criterion_);

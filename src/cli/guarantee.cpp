@@ -73,8 +73,8 @@ public:
 
   Answer answer() override
   {
-    task_.query.budget.stop = stopOnSignal();
-    Progress progress(progress_);
+    task_.query.budget.stop = caller().stop();
+    Progress progress = caller().progress(progress_);
     task_.region = { body_.solid(), *center_ };
     task_.tell = [&progress](const Guarantee& found) {
       progress.tell(std::string(found.bound->name) + " " + bracket(found.value.lower(), found.value.upper()));

@@ -77,28 +77,39 @@ public:
     options.require({ "file" });
   }
 
-  Words warnings() const override { return readUrdf(writeUrdf(imported().machine)).warnings; }
+  Words warnings() const override { return read().warnings; }
   Words notes() const override { return output_.empty() ? linesAbout(imported()) : Words(); }
 
   Answer answer() override
   {
-    const std::string urdf = writeUrdf(imported().machine);
-    const UrdfMachine read = readUrdf(urdf);
-    Json json = contextOf(read.machine);
+    const Machine& machine = read().machine;
+    Json json = contextOf(machine);
     json["format"] = imported().format;
     json["taken"] = importJson(imported().taken);
     json["left_aside"] = importJson(imported().left_aside);
     if (output_.empty())
     {
-      json["urdf"] = urdf;
-      return { json, urdf };
+      json["urdf"] = urdf_;
+      return { json, urdf_ };
     }
-    writeOutput(output_, urdf);
+    writeOutput(output_, urdf_);
     json["output"] = output_;
-    return { json, joined(linesAbout(imported()), "\n") + "\n" + wroteMachine(read.machine, output_) };
+    return { json, joined(linesAbout(imported()), "\n") + "\n" + wroteMachine(machine, output_) };
   }
 
+  const UrdfMachine* made() override { return &read(); }
+
 private:
+  const UrdfMachine& read() const
+  {
+    if (!read_)
+    {
+      urdf_ = writeUrdf(imported().machine);
+      read_ = readUrdf(urdf_);
+    }
+    return *read_;
+  }
+
   /// Read once, when the options are known. @throws std::invalid_argument with all that is wrong in the file
   const FirmwareMachine& imported() const
   {
@@ -128,6 +139,8 @@ private:
   std::string name_;
   std::string output_;
   mutable std::optional<FirmwareMachine> imported_;
+  mutable std::string urdf_;  ///< of it
+  mutable std::optional<UrdfMachine> read_;
 };
 }  // namespace
 

@@ -115,10 +115,10 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    Progress progress(progress_);
+    Progress progress = caller().progress(progress_);
     query_.accuracy = accuracy_.valueFor(machine, *query_.shape);
     query_.precision = multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE;
-    query_.budget.stop = stopOnSignal();
+    query_.budget.stop = caller().stop();
     query_.progress = [&progress, this](const RegionProgress& state) {
       progress.tell((query_.ratio ? "volume " + bracket(state.volume, state.volume_upper_bound) + " m^3"
                                   : "size " + bracket(state.size, state.size_upper_bound)) +
@@ -127,10 +127,10 @@ public:
     };
     certificate_.follow(machine, query_);
     region_ = findLargestRegion(machine, query_);
-    return { answerJson(machine, query_, region_), print(region_) };
+    return { answerJson(machine, query_, region_), Text([this] { return print(region_); }) };
   }
 
-  void save() override { certificate_.save(machine_.machine(), query_, region_); }
+  void save() override { certificate_.save(caller(), machine_.machine(), query_, region_); }
 
 private:
   std::string print(const LargestRegion& region) const

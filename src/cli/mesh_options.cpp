@@ -83,18 +83,17 @@ void MeshOptions::declare(Options& options, const std::string& other)
   });
 }
 
-void MeshOptions::compute(const Machine& machine, const PavingQuery& query, bool often)
+void MeshOptions::compute(const Machine& machine, const PavingQuery& query, const std::function<Progress()>& progress)
 {
   criterion_ = query.criterion;
   if (hasMeshes())
-    computeMeshes(machine, query, often);
+    computeMeshes(machine, query, progress());
   if (!map_file_.empty())
-    computeMap(machine, query, often);
+    computeMap(machine, query, progress());
 }
 
-void MeshOptions::computeMeshes(const Machine& machine, const PavingQuery& query, bool often)
+void MeshOptions::computeMeshes(const Machine& machine, const PavingQuery& query, Progress progress)
 {
-  Progress progress(often);
   MeshQuery wanted;
   wanted.criterion = query.criterion;
   wanted.resolution = query.resolution;
@@ -114,9 +113,8 @@ void MeshOptions::computeMeshes(const Machine& machine, const PavingQuery& query
                    " m: there is no inner surface; give a finer --resolution";
 }
 
-void MeshOptions::computeMap(const Machine& machine, PavingQuery query, bool often)
+void MeshOptions::computeMap(const Machine& machine, PavingQuery query, Progress progress)
 {
-  Progress progress(often);
   query.progress = [&progress](const PavingProgress& state) {
     progress.tell("map, free " + nearly(state.volume_inside) + " m^3, " + std::to_string(state.boxes) + " boxes");
   };

@@ -7,6 +7,7 @@
 #include "output.h"
 #include "pkm_workspace/paving/octree_map.h"
 #include "pkm_workspace/paving/set_mesh.h"
+#include "progress.h"
 
 namespace pkm_workspace
 {
@@ -21,8 +22,8 @@ public:
   /// How many computations are asked for.
   int count() const { return (hasMeshes() ? 1 : 0) + (map_file_.empty() ? 0 : 1); }
 
-  /// Where there are none, save() says why. @param often whether progress is told once a second
-  void compute(const Machine& machine, const PavingQuery& query, bool often);
+  /// Where there are none, save() says why.
+  void compute(const Machine& machine, const PavingQuery& query, const std::function<Progress()>& progress);
   /// Nothing where they are not asked for.
   void addTo(Json& json) const;
   std::vector<Words> rows() const;
@@ -31,8 +32,8 @@ public:
 
 private:
   bool hasMeshes() const { return !inner_.empty() || !outer_.empty(); }
-  void computeMeshes(const Machine& machine, const PavingQuery& query, bool often);
-  void computeMap(const Machine& machine, PavingQuery query, bool often);
+  void computeMeshes(const Machine& machine, const PavingQuery& query, Progress progress);
+  void computeMap(const Machine& machine, PavingQuery query, Progress progress);
 
   std::string inner_;
   std::string outer_;

@@ -20,6 +20,13 @@ std::string withDefault(const std::string& help, const std::string& value)
 }
 }  // namespace
 
+std::string Options::numberHelp(const std::string& help, double value, const Quantity& quantity) const
+{
+  if (!describes_ || !quantity.allows(value))
+    return help;
+  return withDefault(help, exact(value) + (quantity.unit.empty() ? "" : " " + quantity.unit));
+}
+
 void Options::add(const std::string& name, const std::string& values, const std::string& help, const Reader& read)
 {
   Option option;
@@ -27,7 +34,7 @@ void Options::add(const std::string& name, const std::string& values, const std:
   option.values = values;
   option.help = help;
   option.read = read;
-  options_.push_back(option);
+  options_.push_back(std::move(option));
 }
 
 void Options::flag(const std::string& name, bool& target, const std::string& help)
@@ -103,16 +110,14 @@ void Options::repeatedLegs(const std::string& name, const std::string& values, c
 
 void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)
 {
-  const std::string text = help + "; " + quantity.describe();
-  const std::string value = exact(target) + (quantity.unit.empty() ? "" : " " + quantity.unit);
-  add(name, "NUMBER", quantity.allows(target) ? withDefault(text, value) : text,
+  add(name, "NUMBER", numberHelp(help + "; " + described(quantity), target, quantity),
       [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
 }
 
 void Options::number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
                      const std::string& help)
 {
-  add(name, "NUMBER", help + "; " + quantity.describe(),
+  add(name, "NUMBER", help + "; " + described(quantity),
       [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
 }
 
@@ -127,7 +132,7 @@ void Options::addCount(const std::string& name, std::int64_t value, std::int64_t
 void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
                      const Quantity& quantity, const std::string& help)
 {
-  add(name, values, help + "; each " + quantity.describe(), [&target, quantity](const Words& words) {
+  add(name, values, help + "; each " + described(quantity), [&target, quantity](const Words& words) {
     const std::vector<double> numbers = readNumbers(words, quantity);
     target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
   });
@@ -136,7 +141,7 @@ void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& ta
 void Options::pair(const std::string& name, std::optional<std::array<double, 2>>& target, const std::string& values,
                    const Quantity& quantity, const std::string& help)
 {
-  add(name, values, help + "; each " + quantity.describe(), [&target, quantity](const Words& words) {
+  add(name, values, help + "; each " + described(quantity), [&target, quantity](const Words& words) {
     const std::vector<double> numbers = readNumbers(words, quantity);
     target = std::array<double, 2>{ numbers[0], numbers[1] };
   });
@@ -145,7 +150,7 @@ void Options::pair(const std::string& name, std::optional<std::array<double, 2>>
 void Options::range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
                     const std::string& help)
 {
-  add(name, "LO HI", help + "; each " + quantity.describe() + ", LO <= HI", [&target, quantity](const Words& words) {
+  add(name, "LO HI", help + "; each " + described(quantity) + ", LO <= HI", [&target, quantity](const Words& words) {
     const std::vector<double> numbers = readNumbers(words, quantity);
     if (!(numbers[0] <= numbers[1]))
       throw std::invalid_argument("LO is larger than HI");
@@ -153,9 +158,11 @@ void Options::range(const std::string& name, std::optional<RatioRange>& target, 
   });
 }
 
-void Options::points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help)
+void Options::points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help,
+                     const std::function<std::vector<Eigen::Vector3d>(const std::string&)>& read)
 {
-  add(name, "FILE", help, [&target](const Words& words) { target = readPoints(readText(words[0])); });
+  add(name, "FILE", help, [&target, read](const Words& words) { target = read(readText(words[0])); });
+  options_.back().take_points = [&target](const std::vector<Eigen::Vector3d>& points) { target = points; };
 }
 
 void Options::box(const std::string& name, std::optional<Box>& target, const std::string& help)
@@ -188,6 +195,22 @@ const Options::Option* Options::find(const std::string& name) const
 Options::Option* Options::find(const std::string& name)
 {
   return const_cast<Option*>(static_cast<const Options*>(this)->find(name));
+}
+
+Words Options::names() const
+{
+  Words names;
+  for (const Option& option : options_)
+    names.push_back(option.name);
+  return names;
+}
+
+std::optional<Options::Kind> Options::kindOf(const std::string& name) const
+{
+  const Option* const option = find(name);
+  if (option == nullptr)
+    return std::nullopt;
+  return Kind{ option->values, option->repeatable, option->is_list, bool(option->take_points), option->for_each_leg };
 }
 
 bool Options::given(const std::string& name) const

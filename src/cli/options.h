@@ -17,6 +17,8 @@ namespace pkm_workspace
 {
 namespace cli
 {
+struct GivenMachine;
+
 /// The options of one command: each is declared once, with the variable that it sets, its unit and range; parsing, the
 /// help text with ranges and defaults, and the refusals follow from that. What the variable holds is the default; a
 /// number out of its own range is none.
@@ -25,6 +27,34 @@ namespace cli
 class Options
 {
 public:
+  /// What an option was given, once.
+  struct Given
+  {
+    std::string name;
+    Words words;
+    std::optional<std::vector<Eigen::Vector3d>> points = {};  ///< in place of words, by programs
+  };
+  /// What is known of an option, for who gives values that are no words yet.
+  struct Kind
+  {
+    std::string values;  ///< names of the values, separated by blanks; empty of a flag
+    bool is_repeatable;
+    bool is_list;       ///< whether it takes any number of words
+    bool takes_points;  ///< whether points may take the place of the file that it names
+    bool for_each_leg;  ///< whether it takes three times as many words, too
+  };
+
+  /// @param describes whether describe() will be called
+  /// @param machines that the command is about, in place of its options --urdf
+  explicit Options(bool describes = false, std::vector<const GivenMachine*> machines = {})
+    : describes_(describes), machines_(std::move(machines))
+  {
+    options_.reserve(100);
+  }
+  const std::vector<const GivenMachine*>& machines() const { return machines_; }
+  Words names() const;
+  std::optional<Kind> kindOf(const std::string& name) const;
+
   void flag(const std::string& name, bool& target, const std::string& help);
   void onOff(const std::string& name, bool& target, const std::string& help);
   void choice(const std::string& name, std::string& target, const Words& allowed, const std::string& help);
@@ -69,8 +99,9 @@ public:
   /// Two numbers, the least one first.
   void range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
              const std::string& help);
-  /// The points of a file, one a line as X Y Z; empty lines and what follows a # are skipped.
-  void points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help);
+  /// The points of a file, which @p read reads.
+  void points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help,
+              const std::function<std::vector<Eigen::Vector3d>(const std::string&)>& read = readPoints);
   void box(const std::string& name, std::optional<Box>& target, const std::string& help);
 
   /// Asks for the options of these names.
@@ -88,6 +119,8 @@ public:
 
   /// Sets the variables. @throws std::invalid_argument with everything that is wrong, one problem a line
   void parse(const Words& words);
+  /// The same of what is no command line.
+  void parse(const std::vector<Given>& all);
   /// Writes one entry for each option.
   void describe(std::ostream& stream) const;
 
@@ -100,6 +133,7 @@ private:
     std::string values;  ///< names of the values, separated by blanks
     std::string help;
     Reader read;
+    std::function<void(const std::vector<Eigen::Vector3d>&)> take_points = {};
     bool repeatable = false;
     bool is_list = false;
     bool for_each_leg = false;
@@ -108,7 +142,8 @@ private:
     bool refused = false;
     Words words = {};  ///< as given
 
-    void set(const Words& new_words, Problems& problems);
+    void set(const Given& now, Problems& problems);
+    std::string miscounted() const;
     std::string asGiven() const;
   };
   struct Condition
@@ -124,12 +159,18 @@ private:
                 const std::function<void(std::int64_t)>& set);
   const Option* find(const std::string& name) const;
   Option* find(const std::string& name);
-  void readWords(const Words& words, Problems& problems);
+  std::vector<Given> split(const Words& words, Problems& problems) const;
+  std::string unknown(const std::string& name) const;
+  void finish(const std::vector<Given>& all, Problems& problems);
+  std::string described(const Quantity& quantity) const { return describes_ ? quantity.describe() : ""; }
+  std::string numberHelp(const std::string& help, double value, const Quantity& quantity) const;
   void checkCondition(const Condition& condition, Problems& problems) const;
 
   std::vector<Option> options_;
   std::vector<Condition> conditions_;
   std::string leading_;
+  bool describes_;
+  std::vector<const GivenMachine*> machines_;
 };
 }  // namespace cli
 }  // namespace pkm_workspace

@@ -92,13 +92,12 @@ public:
     if (result.rates)
       json["rates"] = ratesOf(report);
     json["message"] = report.message;
-    Answer answer{ json, print(report) };
+    Answer answer{ json, Text([this, report] { return print(report); }) };
     if (source_.job().isGiven())
       return answer;
-    answer.long_members["segments"] = [this](std::ostream& out) {
-      writeList(
-          checks_.size(), [this](std::size_t i) { return segmentOf(i); }, 2, out);
-    };
+    const auto next = std::make_shared<std::size_t>(0);
+    answer.long_members["segments"] =
+        LongList{ [this, next] { return *next < checks_.size(); }, [this, next] { return segmentOf((*next)++); } };
     return answer;
   }
 
@@ -106,15 +105,15 @@ public:
   {
     if (certificate_.given() && source_.job().isGiven())
       throw std::invalid_argument("certificates do not know jobs in G-code yet");
-    certificate_.save(machine_.machine(), criterion_, verdict_, segments_, task_.rates.isHeld());
+    certificate_.save(caller(), machine_.machine(), criterion_, verdict_, segments_, task_.rates.isHeld());
   }
 
 private:
   PathReport check()
   {
-    Progress progress(progress_);
-    task_.query.stop = stopOnSignalOrAfter(time_limit_);
-    task_.stopped_by = [this] { return stoppedBy(time_limit_); };
+    Progress progress = caller().progress(progress_);
+    task_.query.stop = caller().stopAfter(time_limit_);
+    task_.stopped_by = [this] { return caller().stoppedBy(time_limit_); };
     if (source_.job().isGiven())
       source_.job().describeTo(task_, progress, { [this] { return task_.query.stop->load(); }, task_.stopped_by });
     else

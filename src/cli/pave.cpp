@@ -109,7 +109,7 @@ public:
   Answer answer() override
   {
     certificate_.validate(machine_.machine(), query_.criterion);
-    query_.budget.stop = stopOnSignal();
+    query_.budget.stop = caller().stop();
     query_.resolution = resolution_ ? *resolution_ : defaultResolution(machine_.machine(), query_);
     const std::vector<PavingQuery> queries = this->queries();
     std::vector<Paving> earlier;
@@ -131,7 +131,7 @@ public:
     PavingReport& asked = paved_.reports[paved_.asked];
     if (components_)
       asked.components = reportComponents(machine_.machine(), asked.paving, !query_.box, queries[paved_.asked].budget);
-    paved_.mesh.compute(machine_.machine(), queries[paved_.asked], progress_);
+    paved_.mesh.compute(machine_.machine(), queries[paved_.asked], [this] { return caller().progress(progress_); });
     return answerOf(machine_.machine(), paved_);
   }
 
@@ -145,7 +145,7 @@ public:
       savePavings(save_, pavings);
       paved_.reports[paved_.asked].paving = std::move(pavings[paved_.asked]);
     }
-    certificate_.save(machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
+    certificate_.save(caller(), machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
     paved_.mesh.save(machine_.machine());
   }
 
@@ -187,7 +187,7 @@ private:
 
   PavingReport run(PavingQuery query, const Paving* earlier, const VolumeQuery& wanted) const
   {
-    Progress progress(progress_);
+    Progress progress = caller().progress(progress_);
     const Machine& machine = machine_.machine();
     const Measure measure(query.box ? *query.box : defaultBox(machine, query.criterion));
     query.progress = [&progress, &measure](const PavingProgress& state) {

@@ -33,15 +33,6 @@ double secondsOf(const std::vector<PavingReport>& reports)
   return sum;
 }
 
-Json listed(const Box& box)
-{
-  Json ends = Json::array();
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double end : { box.lower[axis], box.upper[axis] })
-      ends.push_back(end);
-  return ends;
-}
-
 /// Boxes of the levels down to one, those that are divided there taken as undecided.
 std::int64_t countTo(const BoxTree& tree, std::size_t last)
 {
@@ -65,22 +56,16 @@ std::vector<Box> boxesOf(const BoxTree& tree, const std::vector<CellState>& stat
   return all;
 }
 
-void writeBoxes(const BoxTree& tree, std::int64_t most, std::ostream& out)
+BoxLists listed(const BoxTree& tree, std::int64_t most)
 {
   std::size_t last = 0;
   while (last + 1 < tree.levels() && countTo(tree, last + 1) <= most)
     ++last;
-  const auto write = [&](const char* name, const std::vector<CellState>& states) {
-    const std::vector<Box> boxes = boxesOf(tree, states, last);
-    out << "\n    \"" << name << "\": ";
-    writeList(
-        boxes.size(), [&boxes](std::size_t k) { return listed(boxes[k]); }, 4, out);
+  const auto of = [&tree, last](const std::vector<CellState>& states) {
+    return [&tree, last, states] { return boxesOf(tree, states, last); };
   };
-  out << '{';
-  write("inside", { CellState::INSIDE });
-  out << ',';
-  write("undecided", { CellState::BOUNDARY, CellState::PENDING, CellState::SPLIT });
-  out << "\n  }";
+  return { { "inside", of({ CellState::INSIDE }) },
+           { "undecided", of({ CellState::BOUNDARY, CellState::PENDING, CellState::SPLIT }) } };
 }
 
 void addComponents(const PavingReport& report, Json& json)
@@ -183,11 +168,9 @@ std::string print(const Machine& machine, const Paved& paved)
 
 Answer answerOf(const Machine& machine, const Paved& paved)
 {
-  Answer answer{ pavedJson(machine, paved), print(machine, paved) };
+  Answer answer{ pavedJson(machine, paved), Text([&] { return print(machine, paved); }) };
   if (paved.most_listed > 0)
-    answer.long_members["listed"] = [&paved](std::ostream& out) {
-      writeBoxes(paved.reports[paved.asked].paving.tree, paved.most_listed, out);
-    };
+    answer.long_members["listed"] = listed(paved.reports[paved.asked].paving.tree, paved.most_listed);
   return answer;
 }
 }  // namespace cli

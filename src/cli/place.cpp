@@ -106,9 +106,9 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    Progress progress(progress_);
+    Progress progress = caller().progress(progress_);
     PathTask path;
-    task_.query.budget.stop = stopOnSignal();
+    task_.query.budget.stop = caller().stop();
     const RunningBudget reading(task_.query.budget);
     if (source_.job().isGiven())
       source_.job().describeTo(path, progress,

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "pkm_workspace/interval/decimal.h"
-
 namespace pkm_workspace
 {
 namespace cli
@@ -66,19 +64,17 @@ const std::atomic<bool>* stopOnSignalOrAfter(double seconds)
   return stopOnSignal();
 }
 
-std::string stoppedBy(double time_limit)
+bool timeIsOver()
 {
-  return time_flag ? "the time limit of " + nearly(time_limit) + " s (--time-limit)" : "a request to stop";
+  return time_flag;
 }
 
 Progress::Progress(bool often) : Progress(std::cerr, isTerminal(), often || isTerminal() ? OFTEN : SELDOM) {}
 
+Progress::Progress() : stream_(std::cerr), is_terminal_(false), period_(0) {}
+
 Progress::Progress(std::ostream& stream, bool is_terminal, std::chrono::nanoseconds period)
-  : stream_(stream)
-  , is_terminal_(is_terminal)
-  , period_(period)
-  , begin_(std::chrono::steady_clock::now())
-  , thread_([this] { run(); })
+  : stream_(stream), is_terminal_(is_terminal), period_(period), thread_([this] { run(); })
 {}
 
 Progress::~Progress()
@@ -88,7 +84,8 @@ Progress::~Progress()
     ends_ = true;
   }
   wake_.notify_one();
-  thread_.join();
+  if (thread_.joinable())
+    thread_.join();
   if (is_terminal_ && has_printed_)
     stream_ << CLEAR_LINE << std::flush;
 }

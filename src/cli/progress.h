@@ -18,8 +18,8 @@ const std::atomic<bool>* stopOnSignal();
 /// The same for a computation that knows no limit of time but the flag. @param seconds after which the flag is set too;
 /// 0: never
 const std::atomic<bool>* stopOnSignalOrAfter(double seconds);
-/// What has set the flag: that time, or a signal. "the time limit of 60 s (--time-limit)"
-std::string stoppedBy(double time_limit);
+/// Whether that time has set the flag.
+bool timeIsOver();
 
 constexpr const char* PROGRESS_HELP = "tells the progress once a second where standard error is not a terminal, too";
 
@@ -30,6 +30,8 @@ class Progress
 {
 public:
   explicit Progress(bool often);
+  /// Tells nobody.
+  Progress();
   /// @param period between two messages
   Progress(std::ostream& stream, bool is_terminal, std::chrono::nanoseconds period);
   ~Progress();
@@ -46,7 +48,7 @@ private:
   std::ostream& stream_;
   const bool is_terminal_;
   const std::chrono::nanoseconds period_;
-  const std::chrono::steady_clock::time_point begin_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::mutex mutex_;
   std::condition_variable wake_;
   std::string text_ = "still computing";

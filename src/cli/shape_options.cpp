@@ -18,8 +18,8 @@ void ShapeOptions::declareNames(Options& options)
                  "of a box: its sides are size A, size B and size C, in metres");
   options.range("ratio", wish_.ratio, NUMBER_POSITIVE,
                 "of a cylinder: least and largest radius over height; the one of the largest volume is found");
-  options.words("vertices", "FILE", "of a polytope: an STL, or lines of X Y Z; it is their convex hull, times the size",
-                [this](const Words& words) { wish_.vertices = readVertices(words[0]); });
+  options.points("vertices", wish_.vertices,
+                 "of a polytope: an STL, or lines of X Y Z; it is their convex hull, times the size", readVertices);
   options.vector("seen-from", seen_from_, "X Y Z", LENGTH,
                  "point of the file's hull that is the center of regions; without it, its origin");
 }

@@ -50,8 +50,8 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    task_.query.budget.stop = stopOnSignal();
-    const Progress progress(progress_);
+    task_.query.budget.stop = caller().stop();
+    const Progress progress = caller().progress(progress_);
     const SingularityReport report = findSingularities(machine, task_);
     Json json = contextOf(machine, task_.criterion());
     json["over"] = task_.region ? "region" : "set";

@@ -89,8 +89,8 @@ public:
 
   Answer answer() override
   {
-    Progress progress(progress_);
-    query_.region.budget.stop = stopOnSignal();
+    Progress progress = caller().progress(progress_);
+    query_.region.budget.stop = caller().stop();
     if (parts_ > 0)
       query_.region.budget = query_.region.budget.inTurns(2.0);
     query_.progress = [&progress, this](const StudyProgress& state) {

@@ -61,10 +61,10 @@ public:
 
   Answer answer() override
   {
-    query_.budget.stop = stopOnSignal();
+    query_.budget.stop = caller().stop();
     query_.solid = body_.solid();
     query_.center = *center_;
-    Progress progress(progress_);
+    Progress progress = caller().progress(progress_);
     query_.tell = [&progress](double holds, double fails) {
       progress.tell("holds " + significantBelow(holds, 6) + " times" +
                     (std::isfinite(fails) ? ", fails " + significantAbove(fails, 6) + " times" : ""));

@@ -4,9 +4,9 @@
 
 #include "command.h"
 #include "common_options.h"
+#include "draft_options.h"
 #include "named_machines.h"
 #include "output.h"
-#include "pkm_workspace/import/machine_draft.h"
 #include "pkm_workspace/import/machine_file.h"
 #include "pkm_workspace/urdf_io/urdf_reader.h"
 #include "pkm_workspace/urdf_io/urdf_writer.h"
@@ -17,33 +17,6 @@ namespace cli
 {
 namespace
 {
-/// Whether any machine may have it.
-bool isDrive(const DraftKey& key)
-{
-  return key.kind == DraftKey::Kind::SPEED || key.kind == DraftKey::Kind::FORCE;
-}
-
-/// "rail-radius" of "rail_radius".
-std::string optionName(const DraftKey& key)
-{
-  std::string name = key.name;
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
-Quantity quantityOf(const DraftKey& key)
-{
-  const std::string name = key.name;
-  if (name == "length" || name == "rail_radius" || name == "base_radius" || name == "crank" ||
-      name == "platform_radius")
-    return LENGTH_POSITIVE;
-  if (isDrive(key))
-    return { key.kind == DraftKey::Kind::SPEED ? "m/s, rad/s" : "N, N m", 0.0, false };
-  if (key.kind == DraftKey::Kind::JOINT)
-    return Quantity{ "m, degrees" };
-  return key.kind == DraftKey::Kind::LENGTH ? LENGTH : Quantity{ key.kind == DraftKey::Kind::ANGLE ? "degrees" : "" };
-}
-
 class Urdf : public Command
 {
 public:
@@ -93,12 +66,12 @@ public:
     options.check(names, [this, &options](Problems& problems) { make(options, problems); });
   }
 
-  Words warnings() const override { return is_template_ ? Words() : remarksOn(readUrdf(urdf_)); }
+  Words warnings() const override { return is_template_ ? Words() : remarksOn(read()); }
 
   Answer answer() override
   {
     const std::string text = is_template_ ? machineFileTemplate(kind_) : urdf_;
-    Json json = is_template_ ? Json() : contextOf(readUrdf(urdf_).machine);
+    Json json = is_template_ ? Json() : contextOf(read().machine);
     if (output_.empty())
     {
       json[is_template_ ? "machine_file" : "urdf"] = text;
@@ -108,10 +81,20 @@ public:
     json["output"] = output_;
     const std::string fill_in = "Wrote a machine file to " + output_ + "\nFill it in, then: pkm urdf --from " +
                                 output_ + " --output machine.urdf\n";
-    return { json, is_template_ ? fill_in : wroteMachine(readUrdf(urdf_).machine, output_) };
+    return { json, is_template_ ? fill_in : wroteMachine(read().machine, output_) };
   }
 
+  const UrdfMachine* made() override { return is_template_ ? nullptr : &read(); }
+
 private:
+  /// The machine, read once.
+  const UrdfMachine& read() const
+  {
+    if (!read_)
+      read_ = readUrdf(urdf_);
+    return *read_;
+  }
+
   void declareSources(Options& options)
   {
     options.flag("linear-delta", is_delta_,
@@ -128,7 +111,7 @@ private:
   void declareLegs(Options& options, const DraftKey& key)
   {
     const std::string name = optionName(key);
-    const Quantity quantity = quantityOf(key);
+    const Quantity quantity = quantityOfKey(key);
     const bool is_name = key.kind == DraftKey::Kind::NAME;
     const bool is_number = !is_name && key.kind != DraftKey::Kind::WORD;
     const std::string help = key.help + (is_number ? "; " + quantity.describe() : std::string());
@@ -160,7 +143,7 @@ private:
 
   void setDrives(const DraftKey& key, const Words& words)
   {
-    const std::vector<double> numbers = readNumbers(words, quantityOf(key));
+    const std::vector<double> numbers = readNumbers(words, quantityOfKey(key));
     auto& drives = key.kind == DraftKey::Kind::SPEED ? given_.speeds : given_.efforts;
     for (std::size_t leg = 0; leg < 3; ++leg)
       drives[leg] = numbers[numbers.size() == 1 ? 0 : leg];
@@ -169,14 +152,14 @@ private:
   /// The same number of a machine of the catalogue.
   void setDimension(const DraftKey& key, const Words& words)
   {
-    pkm_workspace::cli::setDimension(key.name, readNumbers(words, quantityOf(key)), given_);
+    pkm_workspace::cli::setDimension(key.name, readNumbers(words, quantityOfKey(key)), given_);
     differ_ = differ_ || words.size() == 3 * key.size;
   }
 
   void declareMachine(Options& options, const DraftKey& key)
   {
     const std::string name = optionName(key);
-    const Quantity quantity = quantityOf(key);
+    const Quantity quantity = quantityOfKey(key);
     options.words(name, key.values,
                   key.help + (key.kind == DraftKey::Kind::WORD ? std::string() : "; each " + quantity.describe()),
                   [this, &key, name, quantity](const Words& words) {
@@ -261,7 +244,7 @@ private:
   {
     machine.tolerances = tolerances_.both().over(machine.tolerances);
     urdf_ = writeUrdf(machine);
-    readUrdf(urdf_);
+    read();
   }
 
   static void tryTo(const std::function<void()>& act, Problems& problems)
@@ -287,6 +270,7 @@ private:
   MachineDraft draft_;
   ToleranceWish tolerances_;
   std::string output_, urdf_;
+  mutable std::optional<UrdfMachine> read_;
 };
 }  // namespace
 

@@ -37,8 +37,8 @@ public:
 
   Answer answer() override
   {
-    Progress progress(progress_);
-    const auto stop = stopOnSignal();
+    Progress progress = caller().progress(progress_);
+    const auto stop = caller().stop();
     result_ = verifyCertificate(readWholeFile(path_, LARGEST_CERTIFICATE), [&](std::int64_t leaves) {
       progress.tell(std::to_string(leaves) + " boxes verified");
       return !*stop;

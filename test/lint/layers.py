@@ -33,6 +33,7 @@ LAYERS = {
     "urdf_io": BELOW_DEXTERITY,
     "import": BELOW_DEXTERITY,
     "cli": CORE,
+    "python": CORE,
     "ros": CORE,
     "nodes": CORE | {"ros"},
 }
