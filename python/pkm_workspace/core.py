@@ -120,6 +120,16 @@ def _restored(urdf, keywords):
         return Machine(urdf, **keywords)
 
 
+def mix(first, last, share, joint_limits=True):
+    """The machine between two: each number of the geometry is (1 - share) that of the first and share that of the last.
+
+    Both need the same kinds of legs and, with joint_limits, the same limits.
+    """
+    machine = Machine.__new__(Machine)
+    machine._keep(_core.mix(first._given, last._given, share, joint_limits), {}, None)
+    return machine
+
+
 def warn(texts):
     for text in texts:
         warnings.warn(text, PkmWarning, stacklevel=4)

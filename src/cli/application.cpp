@@ -33,7 +33,7 @@ const NamedCommand COMMANDS[] = {
   { "pave", "the dextrous or reachable set as boxes, and its volume", makePave },
   { "connect", "whether a path in the set leads from one point to another", makeConnect },
   { "compare", "machines with each other, or the paper with what is proved", makeCompare },
-  { "study", "the best machine of a family with one parameter", makeStudy },
+  { "study", "the best machine of a family with one parameter; with a FILE, a table of many designs", makeStudy },
   { "singularities", "that there are none, or where one is", makeSingularities },
   { "guarantee", "the speed, force, stiffness, error that the tool keeps everywhere in a region", makeGuarantee },
   { "tolerate", "how exactly a machine has to be built for a region", makeTolerate },
@@ -195,6 +195,8 @@ void dispatch(const Words& arguments, std::ostream& out, std::ostream& err)
     out << "pkm_workspace " << version() << "\n";
   else if (first.empty())
     throw std::invalid_argument("a command is missing");
+  else if (first == "study" && arguments.size() > 1 && arguments[1].compare(0, 2, "--") != 0)
+    becomeStudy({ arguments.begin() + 1, arguments.end() });
   else
     runCommand(findCommand(first), { arguments.begin() + 1, arguments.end() }, out, err);
   out << std::flush;

@@ -45,7 +45,9 @@ class Study : public Command
 public:
   std::string description() const override
   {
-    return "Finds the machine with the largest region in a family of machines that differ by one parameter: the "
+    return "With a FILE in place of options, it evaluates the designs that the file lists, one row for each "
+           "(docs/study.md; pkm study FILE --help). "
+           "Finds the machine with the largest region in a family of machines that differ by one parameter: the "
            "UraneSX by R - r or by the paper's lambda, the Delta or the tripod of the catalogue by one of their "
            "dimensions, or all machines on the way from one URDF (share 0) to another "
            "one (share 1). Proved are the region of the best machine found, an upper bound of the regions of all "

@@ -11,6 +11,8 @@
 #include "keywords.h"
 #include "output.h"
 #include "pkm_workspace/common/whole_file.h"
+#include "pkm_workspace/study/machine_family.h"
+#include "pkm_workspace/urdf_io/urdf_writer.h"
 #include "pkm_workspace/version.h"
 #include "python_caller.h"
 #include "results.h"
@@ -122,7 +124,10 @@ py::tuple make(const std::string& name, const py::dict& keywords, const py::obje
   try
   {
     const std::vector<Options::Given> given = givenBy(keywords, call.options);
-    const cli::Answer answer = call.answer(given);
+    const cli::Answer answer = [&] {
+      const py::gil_scoped_release release;
+      return call.answer(given);
+    }();
     if (!answer.json.contains("urdf") || call.command->made() == nullptr)
       throw std::invalid_argument("--output, --template: a machine is made here, no file is written");
     GivenMachine machine{ answer.json["urdf"], {}, *call.command->made() };
@@ -150,6 +155,21 @@ GivenMachine read(const std::string& text_or_path, const py::dict& keywords)
   catch (const std::invalid_argument& reason)
   {
     refuse((is_text ? "" : text_or_path + ": ") + reason.what(), "Machine");
+  }
+}
+
+/// A machine of the family between two, as a URDF says it.
+GivenMachine mix(const GivenMachine& first, const GivenMachine& last, double share, bool joint_limits)
+{
+  try
+  {
+    const MachineFamily family = familyBetween(first.read->machine, last.read->machine, joint_limits);
+    const std::string urdf = writeUrdf(family.at(Interval(share)));
+    return { urdf, {}, readUrdf(urdf) };
+  }
+  catch (const std::invalid_argument& reason)
+  {
+    refuse(reason.what(), "study.Mixture");
   }
 }
 
@@ -194,6 +214,7 @@ PYBIND11_MODULE(_core, module)
   module.def("run", &run);
   module.def("make", &make);
   module.def("read", &read);
+  module.def("mix", &mix);
   module.def("describe", &describe);
   module.def("kinds_of", &kindsOf);
   module.attr("__version__") = version();

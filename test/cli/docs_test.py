@@ -40,6 +40,7 @@ FILES = {
     "part.stl": stl(0.001),
     "workpiece.stl": stl(1),
     "table.yaml": "keep_in:\n  - {kind: half_space, point: [0, 0, -1], normal: [0, 0, 1]}\n",
+    "designs.yaml": "family: {machine: uranesx}\ndesigns: [{length: 1}]\nquestion: {shape: square, accuracy: 0.1}\n",
     "wrong.cfg": (DATA / "firmware" / "klipper.cfg").read_text().replace("angle = 210.213", "angle = left"),
 }
 REFUSED = {"import wrong.cfg"}  # and printed with the reason
@@ -83,7 +84,8 @@ class Documents(CommandTest):
         return subprocess.run([PKM, *words], cwd=self.folder, capture_output=True, text=True)
 
     def limited(self, words):
-        has_limit = words[0] in self.with_limit and not {"--time-limit", "--help"} & set(words)
+        is_file = words[0] == "study" and not words[1].startswith("--")
+        has_limit = words[0] in self.with_limit and not is_file and not {"--time-limit", "--help"} & set(words)
         # surfaces that the time limit ends are no answer
         return [*words, "--time-limit", "3600" if "--mesh" in words else TIME_LIMIT] if has_limit else words
 

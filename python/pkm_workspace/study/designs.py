@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which designs a study looks at: lists, grids and low-discrepancy samples of named parameters."""
+
+import itertools
+import math
+
+from pkm_workspace.errors import PkmError
+
+PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29)
+
+
+def numbers_between(least, most, count):
+    """Equally spaced, both ends included."""
+    if count == 1:
+        return [least]
+    return [least + (most - least) * k / (count - 1) for k in range(count)]
+
+
+def grid(**parameters):
+    """Every combination; each parameter is a list, or (least, most, count)."""
+    lists = {name: numbers_between(*values) if isinstance(values, tuple) else list(values)
+             for name, values in parameters.items()}
+    return [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
+
+
+def radical_inverse(index, base):
+    """The digits of the index behind the point, in reverse order (van der Corput)."""
+    value, scale = 0.0, 1.0 / base
+    while index:
+        index, digit = divmod(index, base)
+        value, scale = value + digit * scale, scale / base
+    return value
+
+
+def sample(count, **parameters):
+    """So many designs of Halton's sequence, which fills the box of the parameters evenly; each is (least, most). The
+    same designs every time, and the first of a larger sample."""
+    if len(parameters) > len(PRIMES):
+        raise PkmError(f"a sample of {len(parameters)} parameters: at most {len(PRIMES)} fill evenly; use a list of your own")
+    return [{name: least + (most - least) * radical_inverse(k, base)
+             for (name, (least, most)), base in zip(parameters.items(), PRIMES)} for k in range(1, count + 1)]
+
+
+def checked(designs):
+    """As a list of dictionaries that have the same names, with numbers or texts as values."""
+    designs = [dict(design) for design in designs]
+    if not designs:
+        raise PkmError("the study has no designs: give a list of dictionaries, study.grid(...) or study.sample(...)")
+    names = list(designs[0])
+    for number, design in enumerate(designs):
+        if list(design) != names:
+            raise PkmError(f"design {number} has the parameters {', '.join(design)}; the first one has {', '.join(names)}")
+        for name, value in design.items():
+            if hasattr(value, "item"):
+                design[name] = value = value.item()
+            if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+                raise PkmError(f"design {number}: {name} = {value!r} is no number and no text")
+            if isinstance(value, float) and not math.isfinite(value):
+                raise PkmError(f"design {number}: {name} = {value!r} is not finite")
+    return designs
