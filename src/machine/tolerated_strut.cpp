@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pkm_workspace/machine/tolerated_strut.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace pkm_workspace

@@ -7,15 +7,12 @@ import os
 import random
 import re
 import subprocess
-import sys
 import unittest
 
 from alterations import altered
+from checkers import by_pkm, by_python, check_certificate
 from crooked import crooked
 from pkm import ORTHOGLIDE, PKM, URANESX, URDF, CommandTest, run
-
-sys.path.insert(0, str(URDF.parent / "scripts"))
-import check_certificate  # noqa: E402
 
 SEED = 20261128
 ALTERED = 12 * int(os.environ.get("PKM_WORKSPACE_TEST_CASES", 1))
@@ -43,26 +40,9 @@ class Certificate(CommandTest):
         answer = self.answer(command, *words, "--certificate", path)
         return answer, json.loads(path.read_text()), path
 
-    @staticmethod
-    def by_python(data):
-        """@return the sentences without counts, or nothing if it refuses"""
-        try:
-            return [re.sub(r" \(boxes: \d+\)", "", sentence) for sentence in check_certificate.check(data)]
-        except (check_certificate.Refused, *check_certificate.NOT_UNDERSTOOD):
-            return None
-
-    @staticmethod
-    def by_pkm(text):
-        process = subprocess.run([PKM, "verify", "/dev/stdin", "--json"], input=text, capture_output=True, text=True)
-        if process.returncode == 2:  # NaN is no JSON
-            return None
-        answer = json.loads(process.stdout)
-        assert process.returncode == (1 if answer["refused"] else 0), process
-        return None if answer["refused"] else [re.sub(r" \(boxes: \d+\)", "", s) for s in answer["verified"]]
-
     def check_both(self, data, *claims):
-        self.assertEqual(self.by_python(data), list(claims))
-        self.assertEqual(self.by_pkm(json.dumps(data)), list(claims))
+        self.assertEqual(by_python(data), list(claims))
+        self.assertEqual(by_pkm(json.dumps(data)), list(claims))
 
     REGION = "every point of the region satisfies the criterion"
 
@@ -116,7 +96,7 @@ class Certificate(CommandTest):
             bad = json.loads(json.dumps(data))
             outside = next(k for k, node in enumerate(bad["boxes"]["tree"]) if isinstance(node, dict))
             bad["boxes"]["tree"][outside] = 1
-            self.assertEqual((self.by_python(bad), self.by_pkm(json.dumps(bad))), (None, None))
+            self.assertEqual((by_python(bad), by_pkm(json.dumps(bad))), (None, None))
         segments = ("--segment", "start 0 0 0", "--segment", "line 0.1 0 0", "--segment", "line 0.1 0.2 0.29")
         _, data, _ = self.write("--urdf", ORTHOGLIDE, *segments, command="path")
         pieces = sum(len(cuts) - 1 for _, _, cuts in data["path"])
@@ -125,7 +105,7 @@ class Certificate(CommandTest):
                       lambda path: path[0][2].insert(1, 1.5), lambda path: path[0][0].__setitem__(0, -1.5)):
             bad = json.loads(json.dumps(data))
             spoil(bad["path"])
-            self.assertEqual((self.by_python(bad), self.by_pkm(json.dumps(bad))), (None, None))
+            self.assertEqual((by_python(bad), by_pkm(json.dumps(bad))), (None, None))
 
     def test_whatever_is_altered_is_refused_by_both(self):
         rng = random.Random(SEED)
@@ -136,8 +116,8 @@ class Certificate(CommandTest):
             for k in range(ALTERED):
                 false, how = altered(rng, data)
                 with self.subTest(words=words, how=how, number=k, seed=SEED):
-                    self.assertIsNone(self.by_python(false))
-                    self.assertIsNone(self.by_pkm(json.dumps(false)))
+                    self.assertIsNone(by_python(false))
+                    self.assertIsNone(by_pkm(json.dumps(false)))
 
     def test_bytes_that_a_disk_spoils_are_refused_or_proved_by_both(self):
         rng = random.Random(SEED)
@@ -219,10 +199,10 @@ class Certificate(CommandTest):
                             (good, lambda d: d["criterion"].update(psi_min=-0.5))):
             false = copy(data)
             spoil(false)
-            self.assertIsNone(self.by_python(false))
-            self.assertIsNone(self.by_pkm(json.dumps(false)))
+            self.assertIsNone(by_python(false))
+            self.assertIsNone(by_pkm(json.dumps(false)))
         twice = json.dumps(good).replace('"version": 1', '"version": 2, "version": 1')
-        self.assertIsNone(self.by_pkm(twice))
+        self.assertIsNone(by_pkm(twice))
         with self.assertRaises(check_certificate.Refused):
             json.loads(twice, object_pairs_hook=check_certificate.once)
 

@@ -132,6 +132,19 @@ TEST(CubeCutContainment, shareIsTheSumOfTheSections)
   }
 }
 
+TEST(CubeCutContainment, partsOfMeasuresHoldTheExactProduct)
+{
+  test::Random random(SEED);
+  for (int k = 0; k < test::cases(10000); ++k)
+  {
+    const double measure = std::ldexp(random.uniform(1.0, 2.0), random.integer(-60, 20));
+    const double share = random.once(8) ? 1.0 : random.uniform(0.0, 1.0);
+    const Interval part = partOf(Interval(measure), Interval(share));
+    EXPECT_LE(Number(part.lower()), Number(measure) * share) << "case " << k;
+    EXPECT_GE(Number(part.upper()), Number(measure) * share) << "case " << k;
+  }
+}
+
 TEST(CubeCut, numbersWithoutMeaningSayNothing)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

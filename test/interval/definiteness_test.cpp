@@ -183,13 +183,17 @@ TEST(Definiteness, oneBadCornerIsEnough)
 {
   Matrix m = diagonal(1.0, 1.0, 1.0);
   for (std::size_t k = 0; k < 6; ++k)
-    for (const double sign : { 1.0, -1.0 })
+    for (unsigned corner = 0; corner < 8; ++corner)
     {
+      const auto slopes = [corner](double size) {
+        return std::array<double, 3>{ corner & 1U ? size : -size, corner & 2U ? size : -size,
+                                      corner & 4U ? size : -size };
+      };
       Matrix bad = m;
-      bad[k].gradient = { 0.4 * sign, 0.4, -0.4 * sign };
-      EXPECT_FALSE(isPositiveDefinite(bad)) << "entry " << k;
-      bad[k].gradient = { 0.3 * sign, 0.3, -0.3 * sign };
-      EXPECT_TRUE(isPositiveDefinite(bad)) << "entry " << k;
+      bad[k].gradient = slopes(0.4);
+      EXPECT_FALSE(isPositiveDefinite(bad)) << "entry " << k << ", corner " << corner;
+      bad[k].gradient = slopes(0.3);
+      EXPECT_TRUE(isPositiveDefinite(bad)) << "entry " << k << ", corner " << corner;
     }
 }
 

@@ -137,6 +137,25 @@ TEST(IntervalContainment, sineAndCosineHoldTheExactValueBetweenNeighbours)
   EXPECT_EQ(sin(0.0), Interval(0.0));
   EXPECT_EQ(cos(0.0), Interval(1.0));
 }
+
+TEST(IntervalContainment, anglesHoldThoseOfAllDirections)
+{
+  for (int seed = 0; seed < cases(); ++seed)
+    for (const auto& mode : MODES)
+      for (const auto& spread : SPREADS)
+      {
+        Operands operands(spread, static_cast<std::uint64_t>(seed));
+        const Interval x = operands.interval(), y = operands.interval();
+        const Interval angles = under<Interval>(mode, [&] { return angleOf(x, y); });
+        for (int i = 0; i < MEMBERS_OF_EACH; ++i)
+        {
+          const double a = operands.member(x), b = operands.member(y);
+          const auto exact = tightest(mpfr_atan2, b, a);
+          ASSERT_LE(angles.lower(), exact.lower) << x << ", " << y << " seed " << seed;
+          ASSERT_GE(angles.upper(), exact.upper) << x << ", " << y << " seed " << seed;
+        }
+      }
+}
 }  // namespace
 }  // namespace test
 }  // namespace pkm_workspace
