@@ -21,6 +21,17 @@ Quantity quantityOf(const CriterionBound& bound)
   const double most = bound.most < LARGEST_BOUND ? bound.most : std::numeric_limits<double>::infinity();
   return { bound.unit, is_positive ? 0.0 : bound.least, !is_positive, most };
 }
+
+Words namesOfCriterion()
+{
+  Words names = { "set", "aspect" };
+  for (const CriterionBound& bound : CRITERION_BOUNDS)
+    names.push_back(optionOf(bound.name));
+  for (const JointDatum& datum : JOINT_DATA)
+    names.push_back(optionOf(datum.name));
+  names.insert(names.end(), { "joint-limits", "hinge-limits", "keep-in", "keep-out", "zones", "tool-radius" });
+  return names;
+}
 }  // namespace
 
 void declareCriterion(Options& options, Criterion& criterion)
@@ -97,15 +108,10 @@ void declareCriterion(Options& options, Criterion& criterion, MachineOptions& ma
   });
 }
 
-Words criterionOptions()
+const Words& criterionOptions()
 {
-  Words names = { "set", "aspect" };
-  for (const CriterionBound& bound : CRITERION_BOUNDS)
-    names.push_back(optionOf(bound.name));
-  for (const JointDatum& datum : JOINT_DATA)
-    names.push_back(optionOf(datum.name));
-  names.insert(names.end(), { "joint-limits", "hinge-limits", "keep-in", "keep-out", "zones", "tool-radius" });
-  return names;
+  static const Words all = namesOfCriterion();
+  return all;
 }
 
 void AccuracyOption::declare(Options& options, const std::string& help)

@@ -132,7 +132,7 @@ void declareCriterion(
     Options& options, Criterion& criterion, MachineOptions& machine,
     const std::function<bool()>& counts = [] { return true; });
 /// Their names.
-Words criterionOptions();
+const Words& criterionOptions();
 
 /// --accuracy of a size.
 class AccuracyOption

@@ -20,11 +20,22 @@ std::string withDefault(const std::string& help, const std::string& value)
 }
 }  // namespace
 
+std::string Options::extended(const std::string& help, const char* more) const
+{
+  return describes_ ? help + more : "";
+}
+
+std::string Options::ranged(const std::string& help, const char* between, const Quantity& quantity) const
+{
+  return describes_ ? help + between + quantity.describe() : "";
+}
+
 std::string Options::numberHelp(const std::string& help, double value, const Quantity& quantity) const
 {
+  const std::string text = ranged(help, "; ", quantity);
   if (!describes_ || !quantity.allows(value))
-    return help;
-  return withDefault(help, exact(value) + (quantity.unit.empty() ? "" : " " + quantity.unit));
+    return text;
+  return withDefault(text, exact(value) + (quantity.unit.empty() ? "" : " " + quantity.unit));
 }
 
 void Options::add(const std::string& name, const std::string& values, const std::string& help, const Reader& read)
@@ -32,7 +43,7 @@ void Options::add(const std::string& name, const std::string& values, const std:
   Option option;
   option.name = name;
   option.values = values;
-  option.help = help;
+  option.help = describes_ ? help : "";
   option.read = read;
   options_.push_back(std::move(option));
 }
@@ -83,7 +94,7 @@ void Options::words(const std::string& name, const std::string& values, const st
 void Options::repeated(const std::string& name, const std::string& values, const std::string& help,
                        const std::function<void(const Words&)>& read)
 {
-  words(name, values, help + "; may be given several times", read);
+  words(name, values, extended(help, "; may be given several times"), read);
   options_.back().repeatable = true;
 }
 
@@ -97,7 +108,7 @@ void Options::lists(const std::string& name, const std::string& values, const st
 void Options::legs(const std::string& name, const std::string& values, const std::string& help,
                    const std::function<void(const Words&)>& read)
 {
-  words(name, values, help + "; for all legs, or three times", read);
+  words(name, values, extended(help, "; for all legs, or three times"), read);
   options_.back().for_each_leg = true;
 }
 
@@ -110,14 +121,14 @@ void Options::repeatedLegs(const std::string& name, const std::string& values, c
 
 void Options::number(const std::string& name, double& target, const Quantity& quantity, const std::string& help)
 {
-  add(name, "NUMBER", numberHelp(help + "; " + described(quantity), target, quantity),
+  add(name, "NUMBER", numberHelp(help, target, quantity),
       [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
 }
 
 void Options::number(const std::string& name, std::optional<double>& target, const Quantity& quantity,
                      const std::string& help)
 {
-  add(name, "NUMBER", help + "; " + described(quantity),
+  add(name, "NUMBER", ranged(help, "; ", quantity),
       [&target, quantity](const Words& words) { target = readNumbers(words, quantity)[0]; });
 }
 
@@ -132,7 +143,7 @@ void Options::addCount(const std::string& name, std::int64_t value, std::int64_t
 void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& target, const std::string& values,
                      const Quantity& quantity, const std::string& help)
 {
-  add(name, values, help + "; each " + described(quantity), [&target, quantity](const Words& words) {
+  add(name, values, ranged(help, "; each ", quantity), [&target, quantity](const Words& words) {
     const std::vector<double> numbers = readNumbers(words, quantity);
     target = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
   });
@@ -141,7 +152,7 @@ void Options::vector(const std::string& name, std::optional<Eigen::Vector3d>& ta
 void Options::pair(const std::string& name, std::optional<std::array<double, 2>>& target, const std::string& values,
                    const Quantity& quantity, const std::string& help)
 {
-  add(name, values, help + "; each " + described(quantity), [&target, quantity](const Words& words) {
+  add(name, values, ranged(help, "; each ", quantity), [&target, quantity](const Words& words) {
     const std::vector<double> numbers = readNumbers(words, quantity);
     target = std::array<double, 2>{ numbers[0], numbers[1] };
   });
@@ -150,12 +161,13 @@ void Options::pair(const std::string& name, std::optional<std::array<double, 2>>
 void Options::range(const std::string& name, std::optional<RatioRange>& target, const Quantity& quantity,
                     const std::string& help)
 {
-  add(name, "LO HI", help + "; each " + described(quantity) + ", LO <= HI", [&target, quantity](const Words& words) {
-    const std::vector<double> numbers = readNumbers(words, quantity);
-    if (!(numbers[0] <= numbers[1]))
-      throw std::invalid_argument("LO is larger than HI");
-    target = RatioRange{ numbers[0], numbers[1] };
-  });
+  add(name, "LO HI", extended(ranged(help, "; each ", quantity), ", LO <= HI"),
+      [&target, quantity](const Words& words) {
+        const std::vector<double> numbers = readNumbers(words, quantity);
+        if (!(numbers[0] <= numbers[1]))
+          throw std::invalid_argument("LO is larger than HI");
+        target = RatioRange{ numbers[0], numbers[1] };
+      });
 }
 
 void Options::points(const std::string& name, std::vector<Eigen::Vector3d>& target, const std::string& help,
@@ -167,7 +179,7 @@ void Options::points(const std::string& name, std::vector<Eigen::Vector3d>& targ
 
 void Options::box(const std::string& name, std::optional<Box>& target, const std::string& help)
 {
-  add(name, "X0 X1 Y0 Y1 Z0 Z1", help + "; each " + LENGTH.describe() + ", X0 <= X1, Y0 <= Y1, Z0 <= Z1",
+  add(name, "X0 X1 Y0 Y1 Z0 Z1", extended(ranged(help, "; each ", LENGTH), ", X0 <= X1, Y0 <= Y1, Z0 <= Z1"),
       [&target](const Words& words) { target = readBox(words); });
 }
 
@@ -188,8 +200,11 @@ void Options::check(const Words& names, const std::function<void(Problems&)>& co
 
 const Options::Option* Options::find(const std::string& name) const
 {
-  const auto option = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.name == name; });
-  return option == options_.end() ? nullptr : &*option;
+  if (places_.size() != options_.size())
+    for (std::size_t k = places_.size(); k < options_.size(); ++k)
+      places_.emplace(options_[k].name, k);
+  const auto place = places_.find(name);
+  return place == places_.end() ? nullptr : &options_[place->second];
 }
 
 Options::Option* Options::find(const std::string& name)

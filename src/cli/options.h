@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "pkm_workspace/region/largest_region.h"
@@ -162,11 +163,14 @@ private:
   std::vector<Given> split(const Words& words, Problems& problems) const;
   std::string unknown(const std::string& name) const;
   void finish(const std::vector<Given>& all, Problems& problems);
-  std::string described(const Quantity& quantity) const { return describes_ ? quantity.describe() : ""; }
+  /// Helps with what follows from the rest; nothing where nobody reads them.
+  std::string extended(const std::string& help, const char* more) const;
+  std::string ranged(const std::string& help, const char* between, const Quantity& quantity) const;
   std::string numberHelp(const std::string& help, double value, const Quantity& quantity) const;
   void checkCondition(const Condition& condition, Problems& problems) const;
 
   std::vector<Option> options_;
+  mutable std::unordered_map<std::string, std::size_t> places_;  ///< of the options, by name
   std::vector<Condition> conditions_;
   std::string leading_;
   bool describes_;

@@ -11,8 +11,9 @@ namespace cli
 {
 void declareZones(Options& options, Criterion& criterion)
 {
+  static const std::string kinds = zoneWords();
   const auto declare = [&](const std::string& name, Zone::Use use, const std::string& help) {
-    options.lists(name, "KIND NUMBER..", help + ": " + zoneWords() + " [m]",
+    options.lists(name, "KIND NUMBER..", help + ": " + kinds + " [m]",
                   [&criterion, use](const Words& words) { criterion.zones.push_back(readZone(use, words)); });
   };
   declare("keep-in", Zone::Use::KEEP_IN, "a zone that the tool keeps within");
