@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What catkin says otherwise: the version of the package, and where what it builds is put and installed.
 include(GNUInstallDirs)
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 set(PYTHON_EXECUTABLE ${Python3_EXECUTABLE})
 file(READ ${PROJECT_SOURCE_DIR}/package.xml package_xml)
 string(REGEX MATCH "<version>([0-9.]+)</version>" version_element "${package_xml}")
