@@ -44,6 +44,10 @@ const NamedCommand COMMANDS[] = {
   { "verify", "that each step of a certificate holds", makeVerify },
 };
 
+/// Python's alone.
+constexpr const char* REPORT = "report";
+constexpr const char* REPORT_SUMMARY = "a machine, machines side by side, or a study as a page to read and print";
+
 constexpr const char* LOST_OUTPUT = "standard output cannot be written";
 
 constexpr const char* INTRODUCTION =
@@ -68,6 +72,7 @@ void printHelp(std::ostream& out)
   std::vector<Words> rows;
   for (const NamedCommand& command : COMMANDS)
     rows.push_back({ command.name, command.summary });
+  rows.push_back({ REPORT, REPORT_SUMMARY });
   out << "usage: pkm COMMAND [OPTION...], or rosrun pkm_workspace pkm COMMAND [OPTION...]\n\n"
       << wrapped(INTRODUCTION) << "\ncommands (pkm COMMAND --help tells more):\n"
       << aligned(rows, Align::LEFT)
@@ -196,7 +201,9 @@ void dispatch(const Words& arguments, std::ostream& out, std::ostream& err)
   else if (first.empty())
     throw std::invalid_argument("a command is missing");
   else if (first == "study" && arguments.size() > 1 && arguments[1].compare(0, 2, "--") != 0)
-    becomeStudy({ arguments.begin() + 1, arguments.end() });
+    becomePython("study", { arguments.begin() + 1, arguments.end() });
+  else if (first == REPORT)
+    becomePython("report", { arguments.begin() + 1, arguments.end() });
   else
     runCommand(findCommand(first), { arguments.begin() + 1, arguments.end() }, out, err);
   out << std::flush;
@@ -218,6 +225,7 @@ const NamedCommand& findCommand(const std::string& name)
       return command;
     names.push_back(command.name);
   }
+  names.emplace_back(REPORT);
   throw std::invalid_argument("'" + name + "' is not a command; allowed: " + joined(names, ", "));
 }
 

@@ -109,9 +109,10 @@ struct NamedCommand
 /// @throws std::invalid_argument where there is none of that name
 const NamedCommand& findCommand(const std::string& name);
 
-/// A table of many designs, from a file: becomes the module pkm_workspace.study of Python, with these words.
+/// What Python does of the command: becomes a module of its package pkm_workspace, "study" or "report", with these
+/// words.
 /// @throws Failure where that cannot be
-void becomeStudy(const Words& words);
+void becomePython(const std::string& module, const Words& words);
 
 std::unique_ptr<Command> makeEvaluate();
 std::unique_ptr<Command> makeLargest();

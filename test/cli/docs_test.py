@@ -84,7 +84,7 @@ class Documents(CommandTest):
         return subprocess.run([PKM, *words], cwd=self.folder, capture_output=True, text=True)
 
     def limited(self, words):
-        is_file = words[0] == "study" and not words[1].startswith("--")
+        is_file = words[0] in ("study", "report") and not words[1].startswith("--")
         has_limit = words[0] in self.with_limit and not is_file and not {"--time-limit", "--help"} & set(words)
         # surfaces that the time limit ends are no answer
         return [*words, "--time-limit", "3600" if "--mesh" in words else TIME_LIMIT] if has_limit else words

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The table of a study, in a file of SQLite: each row is written once, as it comes."""
 
+import contextlib
 import json
 import sqlite3
 
@@ -98,13 +99,24 @@ class Transaction:
         self.connection.execute("COMMIT" if kind is None else "ROLLBACK")
 
 
+@contextlib.contextmanager
+def reading(path):
+    """A cursor on the file of a table. Raises PkmError where that is none."""
+    try:
+        with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
+            yield connection.cursor()
+    except (sqlite3.DatabaseError, TypeError) as reason:
+        raise PkmError(f"{path}: is not the table of a study: {reason}") from reason
+
+
 def read(path):
     """Names of the columns, and the rows by the number of their design."""
-    connection = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
-    try:
-        cursor = connection.execute("SELECT * FROM studied ORDER BY design")
+    with reading(path) as cursor:
+        cursor.execute("SELECT * FROM studied ORDER BY design")
         return [column[0] for column in cursor.description], cursor.fetchall()
-    except sqlite3.DatabaseError as reason:
-        raise PkmError(f"{path}: is not the table of a study: {reason}") from reason
-    finally:
-        connection.close()
+
+
+def told_of(path):
+    """What the study is about: family, question, columns, version."""
+    with reading(path) as cursor:
+        return json.loads(cursor.execute("SELECT told FROM study").fetchone()[0])

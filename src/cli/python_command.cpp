@@ -12,7 +12,7 @@ namespace pkm_workspace
 {
 namespace cli
 {
-void becomeStudy(const Words& words)
+void becomePython(const std::string& module, const Words& words)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -22,14 +22,14 @@ void becomeStudy(const Words& words)
   const std::string path = (before == nullptr ? "" : std::string(before) + ":") + beside.string();
   if (fs::exists(beside, error))
     setenv("PYTHONPATH", path.c_str(), 1);
-  Words all = { "python3", "-m", "pkm_workspace.study" };
+  Words all = { "python3", "-m", "pkm_workspace." + module };
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (std::string& word : all)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(arguments[0], arguments.data());
-  throw Failure(std::string("a study in a file needs python3: ") + std::strerror(errno));
+  throw Failure("pkm " + module + " of files needs python3: " + std::strerror(errno));
 }
 }  // namespace cli
 }  // namespace pkm_workspace
