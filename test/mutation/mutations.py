@@ -7,6 +7,7 @@ from mutation import Gtest, Mutation
 INTERVAL = "include/pkm_workspace/interval/"
 MACHINE = "include/pkm_workspace/machine/"
 DEXTERITY = "include/pkm_workspace/dexterity/"
+CONDITIONS = DEXTERITY + "conditions/"
 # What looks at boxes, with two lanes: wider kernels are left out where this one is compiled anew.
 KERNEL = ("src/dexterity/box_kernel.cpp", "src/dexterity/verdict.cpp")
 
@@ -21,9 +22,14 @@ AFFINE_PRODUCTS = in_header("AffineFormContainment.sumsAndProductsHoldThoseOfAll
 BALLS = in_header("Ball.hasWhatItsMembersBecome", ["interval/ball_test"])
 PENCILS = in_header("PencilBoundsContainment.boundsHoldTheEigenvaluesOfEveryMember", ["interval/pencil_bounds_test"])
 LEGS = in_header("LegForms.holdTheLegsThatAreClosedByTriangles", ["machine/leg_forms_test"], "machine_test")
+POINTS = Gtest("dexterity_test", "BoxTest.verdictsHoldAtEveryPointOfTheBox")
 LIMITS = Gtest("dexterity_test", "BoxTest.verdictsHoldWithJointLimits")
+MOTORS = Gtest("dexterity_test", "BoxTest.verdictsHoldForMotorsAndTolerances")
+ZONES = Gtest("dexterity_test", "Zones.verdictsHoldAtEveryPointOfTheBox")
 MACHINES = Gtest("dexterity_test", "Tolerances.everyMachineIsGoodInside")
+RATES = Gtest("region_test", "JointRates.kernelsHoldTheDifferencesOfEveryPoint")
 BOXES = Gtest("region_test", "Containment.agreesWithTheOracleOnRandomBoxes")
+SPOT = Gtest("region_test", "Containment.findsATinySpotInside")
 COMPONENTS = Gtest("paving_test", "Components.areThoseOfAllPairsOfBoxes")
 
 NUMBERS = [
@@ -85,6 +91,10 @@ NUMBERS = [
              "products of balls lose the product of their radii", BALLS),
     Mutation("ball_rounding", INTERVAL + "ball.h", "up(radius_ + ROUNDOFF * magnitude(middle_))) : *this;",
              "radius_) : *this;", "middles of balls lose their roundings", BALLS),
+    Mutation("atan_without_error", INTERVAL + "angle_form.h",
+             "affine::widened(result.radius + (Real(1) - slope) * most, most, 16);",
+             "affine::widened(result.radius, most, 16);", "the arc tangent is taken for its slope",
+             in_header("AngleForm.holdsTheArcTangentOfEveryMember", ["machine/leg_kinds_test"], "machine_test")),
     Mutation("share_without_error", "src/interval/cube_cut.cpp", "std::min(1.0, std::max(0.0, share + slack)) };",
              "std::min(1.0, std::max(0.0, share)) };", "shares of a cut cube lose their roundings",
              Gtest("interval_test", "CubeCutContainment.shareIsTheSumOfTheSections")),
@@ -109,10 +119,24 @@ MACHINES_AND_LEGS = [
     Mutation("telescope_joint_sign", MACHINE + "telescopic_strut_forms.h", "return state.drive + -strut.length;",
              "return state.drive + strut.length;", "joint values of struts of variable length count the wrong way",
              LEGS),
+    Mutation("telescope_row_length", MACHINE + "telescopic_strut_forms.h",
+             "return (weightOf<Real>(drive) + weightOf<Real>(row)) * state.squared_drive;",
+             "return weightOf<Real>(drive) * state.squared_drive;",
+             "struts of variable length have rows of length 0 in n^2 + w b^2",
+             POINTS, KERNEL),
     Mutation("crank_tip_third_order", MACHINE + "crank_over_box.h",
              "widen(sine, most * most_square * (Real(0.5) + Real(2) * most_square));", "",
              "the sine of a crank's turn loses its third order",
              in_header("LegForms.ofTipsHoldTheSineAndCosineOfEveryTurn", ["machine/leg_forms_test"], "machine_test")),
+    Mutation("crank_turning_sign", MACHINE + "crank_forms.h", "turn * (pull * turn - (aside + aside));",
+             "turn * (pull * turn + (aside + aside));", "accelerations of cranks have a term of the wrong sign", RATES,
+             KERNEL),
+    Mutation("crank_rate_unscaled", DEXTERITY + "machine_forms.h", "return rate(leg, bound, 1.0); }", "return bound; }",
+             "speeds of cranks are bounded without their drive scale", RATES, KERNEL),
+    Mutation("crank_range_end", "src/region/crank_range.cpp", "distance_.largest(tipAt(angle)).upper(); });",
+             "distance_.least(tipAt(angle)).upper(); });",
+             "the range of a crank ends where the first point of a region is passed",
+             Gtest("region_test", "JointRanges.encloseTheJointValuesOfEveryPoint")),
     Mutation("telescope_range_end", "src/region/telescopic_strut_range.cpp",
              "range.lower = distance.least(leg.center)", "range.lower = distance.largest(leg.center)",
              "ranges of struts of variable length begin where they end",
@@ -120,9 +144,49 @@ MACHINES_AND_LEGS = [
 ]
 
 CRITERION = [
+    Mutation("psi_min_forgotten", CONDITIONS + "least_factor.h", "if (is_asked_)\n      visitor.matrix(",
+             "if (false)\n      visitor.matrix(", "psi_min is forgotten", BOXES, KERNEL),
+    Mutation("psi_max_forgotten", CONDITIONS + "largest_factor.h", "if (is_asked_)\n      visitor.matrix(",
+             "if (false)\n      visitor.matrix(", "psi_max is forgotten", BOXES, KERNEL),
+    Mutation("looser_force_counts", "src/dexterity/criterion.cpp",
+             "return { std::min(psi_max, force.lower()), std::min(psi_max, force.upper()) };",
+             "return { std::max(psi_max, force.lower()), std::max(psi_max, force.upper()) };",
+             "of psi_max and force_min the looser one counts",
+             Gtest("dexterity_test", "Criterion.forceFactorsBoundTheVelocityFactorsFromTheOtherSide")),
+    Mutation("force_of_two_legs", CONDITIONS + "tool_force.h",
+             "for (std::size_t leg = 0; leg < 3; ++leg)\n    {\n      SymmetricForms",
+             "for (std::size_t leg = 0; leg < 2; ++leg)\n    {\n      SymmetricForms",
+             "the third joint may need any force", MOTORS, KERNEL),
+    Mutation("strut_angle_side", CONDITIONS + "strut_angle.h", "side == 0 ? -above : above, 2);",
+             "above, 2);", "the least angle of a strut is held as the largest", MOTORS, KERNEL),
+    Mutation("tilt_of_last_strut", CONDITIONS + "ball_tilt.h", "leastCosine(criterion.tiltOf(leg), machine, leg);",
+             "leastCosine(criterion.tiltOf(2), machine, leg);", "all ball joints may tilt as far as the last strut's",
+             Gtest("dexterity_test", "Tolerances.axesOfBallJointsMayTurnWithTheRail"), KERNEL),
+    Mutation("limits_of_one_leg", CONDITIONS + "joint_limits.h",
+             "for (std::size_t leg = 0; leg < 3; ++leg)\n      if (is_either_[leg])",
+             "for (std::size_t leg = 1; leg < 3; ++leg)\n      if (is_either_[leg])",
+             "joint limits of one leg are forgotten",
+             LIMITS, KERNEL),
+    Mutation("limit_at_one_end", CONDITIONS + "joint_limits.h", "limited_[leg][side] = std::isfinite(limit[side]);",
+             "limited_[leg][side] = side == 0 && std::isfinite(limit[side]);", "upper joint limits are forgotten",
+             LIMITS,
+             KERNEL),
     Mutation("limit_left_out", "src/dexterity/workspace_bounds.cpp", "range.lower() >= limits.lower() ? -INF",
              "range.upper() >= limits.lower() ? -INF", "lower joint limits that bind are left out",
              Gtest("dexterity_test", "JointLimits.noPointBreaksALimitThatIsLeftOut")),
+    Mutation("zones_but_the_first", CONDITIONS + "zones.h", "if (zone.use == Zone::Use::KEEP_IN || holds)",
+             "if (zone.use == Zone::Use::KEEP_IN || holds || k > 0)", "only the first zone is kept out of",
+             ZONES, KERNEL),
+    Mutation("zone_to_keep_in", CONDITIONS + "zones.h", "else if (!isPositive(depth))\n          keep_in(depth);",
+             "else if (isPositive(depth))\n          keep_in(depth);", "zones to keep in are forgotten", ZONES, KERNEL),
+    Mutation("zone_any_surface", "src/dexterity/box_look.h", "fails = fails & (forms.form[k].upper() < Real(0.0));",
+             "fails = fails | (forms.form[k].upper() < Real(0.0));",
+             "what is beneath any surface of a zone is taken to be within it", ZONES, KERNEL),
+    Mutation("tolerance_of_length", "src/dexterity/worst_parameters.h", "Base box = abs(slopes[3]) + abs(slopes[6]);",
+             "Base box = abs(slopes[3]);", "tolerances of lengths are dropped", MACHINES, KERNEL),
+    Mutation("tolerance_in_a_ball", "src/dexterity/worst_parameters.h", "ball = ball + along * along;",
+             "ball = max(ball, along * along);", "balls of tolerances are taken for what lies along one axis", MACHINES,
+             KERNEL),
     Mutation("tolerance_of_a_direction", "src/machine/tolerated_strut.cpp", "tangent.mid() * across[j]",
              "0.5 * tangent.mid() * across[j]", "rails turn by half of their tolerance", MACHINES),
     Mutation("built_error_constant", "src/dexterity/built_error.cpp", "length * (balls + Interval(by.length))",
@@ -131,11 +195,23 @@ CRITERION = [
 ]
 
 SEARCHES = [
+    Mutation("undecided_parts_dropped", "src/region/containment.cpp",
+             "if (verdicts[k] != BoxVerdict::INSIDE && !divide(parts[k], worst[k]))",
+             "if (verdicts[k] == BoxVerdict::OUTSIDE && !divide(parts[k], worst[k]))",
+             "a region is INSIDE although parts of it stay undecided", SPOT),
+    Mutation("one_half_is_enough", "src/region/containment.cpp", "open(halves.second);\n    open(halves.first);",
+             "open(halves.first);", "a region is INSIDE when one half of each part is", SPOT),
     Mutation("inside_at_the_budget", "src/region/containment.cpp",
              "if (branchAndBound(open_, *this, budget_) == Ending::EXHAUSTED)",
              "if (branchAndBound(open_, *this, budget_) != Ending::SETTLED)",
              "a region is INSIDE where the budget ends the proof", Gtest("region_test",
              "Containment.endsWithItsBudget")),
+    Mutation("least_open_bound", "src/region/center_search.cpp",
+             "const double open = open_.isEmpty() ? 0.0 : open_.first().bound;",
+             "double open = open_.isEmpty() ? 0.0 : open_.first().bound;\n  for (const Node& node : open_.all())\n"
+             "    open = std::min(open, node.bound);",
+             "the upper bound of a search is the least of its open boxes",
+             Gtest("region_test", "GivenMeasures.regionsAreGoodAndLargerOnesAreNot")),
     Mutation("half_of_the_centers", "src/region/center_looks.cpp",
              "open_.put({ halves.second, look.bound, look.room, node.angles });", "",
              "half of each box of centers is never looked at",
@@ -151,6 +227,9 @@ SEARCHES = [
     Mutation("feed_flipped", "src/region/rate_search.cpp", "feedAt(kind, limit, rate.upper).lower;",
              "feedAt(kind, limit, rate.lower).lower;", "the feed is what the slowest that joints may be allows",
              Gtest("region_test", "JointRates.theLargestFeedIsBracketed")),
+    Mutation("factors_at_the_middle", "src/dexterity/piece_ranges.h", "const Real bound = abs(ratio) + distance;",
+             "const Real bound = abs(ratio);", "joint speeds over a piece are those of its middle",
+             Gtest("dexterity_test", "PathPiece.motionsHoldEveryPoint"), KERNEL),
     Mutation("volume_by_one_cut", "src/paving/set_volume.cpp", "shareWithin(cuts[k].cut.data(), cuts[k].count);",
              "shareWithin(cuts[k].cut.data(), std::min<std::size_t>(cuts[k].count, 1));",
              "volumes count one condition only at each box", Gtest("paving_test",
