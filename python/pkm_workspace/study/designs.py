@@ -32,13 +32,13 @@ def radical_inverse(index, base):
     return value
 
 
-def sample(count, **parameters):
+def sample(count, skip=0, /, **parameters):
     """So many designs of Halton's sequence, which fills the box of the parameters evenly; each is (least, most). The
-    same designs every time, and the first of a larger sample."""
+    same designs every time, and the first of a larger sample. skip: so many are left out at the beginning."""
     if len(parameters) > len(PRIMES):
         raise PkmError(f"a sample of {len(parameters)} parameters: at most {len(PRIMES)} fill evenly; use a list of your own")
     return [{name: least + (most - least) * radical_inverse(k, base)
-             for (name, (least, most)), base in zip(parameters.items(), PRIMES)} for k in range(1, count + 1)]
+             for (name, (least, most)), base in zip(parameters.items(), PRIMES)} for k in range(skip + 1, skip + count + 1)]
 
 
 def checked(designs):

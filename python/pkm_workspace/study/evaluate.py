@@ -11,6 +11,7 @@ from pkm_workspace.errors import PkmError, PkmWarning
 FIGURES = ["status", "reason", "size", "size_upper_bound", "center_x", "center_y", "center_z", "stroke_1", "stroke_2",
            "stroke_3"]
 VOLUMES = ["measure_lower", "measure_upper"]
+DEATHS = 3  # of workers on the same design, before it is given up
 OF_BODY = ("shape", "proportions", "ratio", "vertices", "seen_from")
 
 
@@ -57,6 +58,12 @@ class Question:
             except (ValueError, TypeError, ArithmeticError) as reason:
                 row.update(status="refused", reason=str(reason))
         row["seconds"] = time.perf_counter() - begin
+        return list(row.values())
+
+    def lost(self):
+        """The row of a design that workers die of."""
+        row = dict.fromkeys(self.columns())
+        row.update(status="lost", reason=f"{DEATHS} workers died of it")
         return list(row.values())
 
     def fill(self, row, machine):

@@ -68,10 +68,11 @@ def designs_of(value):
         return ways.grid(**{name: list_of(f"designs: grid: {name}", values)
                             for name, values in part("designs: grid", known["grid"], None).items()})
     wanted = dict(part("designs: sample", known["sample"], None, ("count",)))
-    count = wanted.pop("count")
-    if not isinstance(count, int) or count < 1:
-        raise PkmError(f"designs: sample: count = {count!r}: must be a whole number from 1")
-    return ways.sample(count, **{name: range_of(f"designs: sample: {name}", values) for name, values in wanted.items()})
+    count, skip = wanted.pop("count"), wanted.pop("skip", 0)
+    for name, value, least in (("count", count, 1), ("skip", skip, 0)):
+        if not isinstance(value, int) or value < least:
+            raise PkmError(f"designs: sample: {name} = {value!r}: must be a whole number from {least}")
+    return ways.sample(count, skip, **{name: range_of(f"designs: sample: {name}", values) for name, values in wanted.items()})
 
 
 def read_study(path):

@@ -19,8 +19,11 @@ def main():
     batches = messages(sys.stdin.buffer)
     family, question = next(batches)
     for batch in batches:
-        out.write(pickle.dumps(rows_of(family, question, batch)))
-        out.flush()
+        try:
+            out.write(pickle.dumps(rows_of(family, question, batch)))
+            out.flush()
+        except BrokenPipeError:
+            os._exit(0)  # nobody waits for them any more
 
 
 if __name__ == "__main__":

@@ -10,10 +10,9 @@ import sys
 import threading
 
 from pkm_workspace.errors import PkmError
-from pkm_workspace.study.evaluate import rows_of
+from pkm_workspace.study.evaluate import DEATHS, rows_of
 
 MOST = 50  # designs in one batch
-DEATHS = 3  # of workers on the same batch, before it is given up
 
 
 def batches_of(designs, workers):
@@ -51,9 +50,15 @@ class Worker:
             self.end()
             return None
 
+    def kill(self):
+        """Thread-safe: whoever waits for an answer gets none."""
+        process = self.process
+        if process is not None:
+            process.kill()
+
     def end(self):
+        self.kill()
         if self.process is not None:
-            self.process.kill()
             self.process.wait()
             self.process.stdin.close()
             self.process.stdout.close()
@@ -69,8 +74,7 @@ class Local:
         self.count = count
         self.stop = threading.Event()
 
-    def serve(self, todo, done):
-        worker = Worker(self.task)
+    def serve(self, worker, todo, done):
         while not self.stop.is_set():
             try:
                 batch, deaths = todo.popleft()
@@ -86,20 +90,16 @@ class Local:
             elif deaths + 1 < DEATHS:
                 todo.append((batch, deaths + 1))
             else:
-                done.put([(number, self.lost()) for number, _ in batch])
+                done.put([(number, self.question.lost()) for number, _ in batch])
         worker.end()
         done.put(None)
-
-    def lost(self):
-        row = dict.fromkeys(self.question.columns())
-        row.update(status="lost", reason=f"{DEATHS} workers died of it")
-        return list(row.values())
 
     def rows(self, designs):
         """Lists of rows, as they come."""
         todo = collections.deque((batch, 0) for batch in batches_of(designs, self.count))
         done = queue.SimpleQueue()
-        threads = [threading.Thread(target=self.serve, args=(todo, done), daemon=True) for _ in range(self.count)]
+        crew = [Worker(self.task) for _ in range(self.count)]
+        threads = [threading.Thread(target=self.serve, args=(worker, todo, done), daemon=True) for worker in crew]
         for thread in threads:
             thread.start()
         ended = 0
@@ -111,6 +111,8 @@ class Local:
                     yield rows
         finally:
             self.stop.set()
+            for worker in crew:
+                worker.kill()
             for thread in threads:
                 thread.join()
 
@@ -127,16 +129,28 @@ class Dask:
             self.client = Client(address, timeout=20)
         except (OSError, ValueError) as reason:
             raise PkmError(f"no scheduler answers at {address}: {reason}; start dask-scheduler there") from None
-        self.task = family, question
+        self.task, self.question = (family, question), question
 
     def rows(self, designs):
         from distributed import as_completed
+        from distributed.scheduler import KilledWorker
         workers = max(1, len(self.client.scheduler_info()["workers"]))
-        futures = [self.client.submit(rows_of, *self.task, batch, pure=False, retries=10)
-                   for batch in batches_of(designs, workers)]
+        batches = {self.submit(batch): batch for batch in batches_of(designs, workers)}
+        running = as_completed(list(batches))
         try:
-            for future, rows in as_completed(futures, with_results=True):
-                future.release()
-                yield rows
+            for future in running:
+                batch = batches.pop(future)
+                try:
+                    yield future.result()  # computed again where it was lost with its worker
+                except KilledWorker:
+                    if len(batch) == 1:
+                        yield [(batch[0][0], self.question.lost())]
+                        continue
+                    again = {self.submit([design]): [design] for design in batch}  # to find the one that kills
+                    batches.update(again)
+                    running.update(again)
         finally:
             self.client.close()
+
+    def submit(self, batch):
+        return self.client.submit(rows_of, *self.task, batch, pure=False)
