@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pkm_workspace/common/text.h"
+#include "pkm_workspace/common/utf8.h"
 #include "pkm_workspace/interval/decimal.h"
 
 namespace pkm_workspace
@@ -52,9 +53,19 @@ std::string YamlReader::placeOf(const YAML::Node& node) const
 std::string YamlReader::textOf(const YAML::Node& node, const std::string& key)
 {
   if (node.IsScalar() && !node.Scalar().empty())
-    return node.Scalar();
+    return printable({ node.Scalar() }, node, key).front();
   refuse(node, key + " needs one value");
   return "";
+}
+
+/// The same texts; refused where somebody who reads them could not.
+std::vector<std::string> YamlReader::printable(std::vector<std::string> texts, const YAML::Node& node,
+                                               const std::string& key)
+{
+  for (const std::string& text : texts)
+    if (const auto byte = unprintableByte(text))
+      refuse(node, key + " holds a character that is not printable UTF-8 (byte " + std::to_string(*byte) + ")");
+  return texts;
 }
 
 void YamlReader::readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries)
@@ -84,7 +95,7 @@ std::vector<std::string> YamlReader::scalarsIn(const YAML::Node& node, const std
   else if (node.IsSequence() && std::any_of(node.begin(), node.end(), is_nested))
     refuse(node, key + " must be one value or a list of values, as [1, 2, 3], and it has a list or a map in its list");
   else
-    return scalarsOf(node);
+    return printable(scalarsOf(node), node, key);
   return {};
 }
 

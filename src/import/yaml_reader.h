@@ -41,6 +41,8 @@ public:
   void readMap(const YAML::Node& map, const std::string& what, const MapEntries& entries);
 
 private:
+  std::vector<std::string> printable(std::vector<std::string> texts, const YAML::Node& node, const std::string& key);
+
   std::string name_;
   std::string remedy_;
   Problems problems_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document_checks.h"
+#include "pkm_workspace/common/utf8.h"
 #include "refusal.h"
 
 namespace pkm_workspace
@@ -49,35 +50,11 @@ private:
   int depth_ = 0;
 };
 
-/// Number of bytes of the UTF-8 character at the begin of @p text that XML allows, or 0.
-std::size_t characterLength(const unsigned char* text)
-{
-  if (*text < 0x80)
-    return *text >= 0x20 || *text == '\t' || *text == '\n' || *text == '\r' ? 1 : 0;
-  const std::size_t length = *text >= 0xF0 ? 4 : *text >= 0xE0 ? 3 : 2;
-  if (*text < 0xC2 || *text > 0xF4)
-    return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (text[i] < 0x80 || text[i] > 0xBF)
-      return 0;
-  return length;
-}
-
 /// urdfdom's parser never returns from some texts that are not UTF-8.
 void checkCharacters(const std::string& text, Problems& problems)
 {
-  const auto* const bytes = reinterpret_cast<const unsigned char*>(text.c_str());
-  for (std::size_t i = 0; i < text.size();)
-  {
-    const std::size_t length = characterLength(bytes + i);
-    if (length == 0)
-    {
-      complain(problems, "an element or attribute holds a character that is not printable UTF-8 (byte ",
-               static_cast<int>(bytes[i]), ")");
-      return;
-    }
-    i += length;
-  }
+  if (const auto byte = unprintableByte(text))
+    complain(problems, "an element or attribute holds a character that is not printable UTF-8 (byte ", *byte, ")");
 }
 
 /// The largest number of attributes that an element of the text can have: both parsers are quadratic in it.

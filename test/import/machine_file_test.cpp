@@ -47,6 +47,16 @@ TEST(MachineFile, templateDescribesACalibratedDelta)
   EXPECT_TRUE(readUrdf(writeUrdf(machine)).warnings.empty());
 }
 
+// Found by fuzzing: a URDF with such a name is refused.
+TEST(MachineFile, namesArePrintable)
+{
+  const std::string reason = "printable UTF-8 \\(byte 129\\)";
+  expectThrow<std::invalid_argument>([] { readMachineText(std::string("name: my_\x81\n") + SHORT_FILE, "m.yaml"); },
+                                     "m.yaml:1: name.*" + reason);
+  expectThrow<std::invalid_argument>([] { readMachineText(changed("[{}", "[{joint: a\x81}"), "m.yaml"); },
+                                     "m.yaml:2: joint.*" + reason);
+}
+
 // The template's own words: the tool touches the table with all sliders at the lower ends.
 TEST(MachineFile, standsOnTheTableWithoutAHomeHeight)
 {
