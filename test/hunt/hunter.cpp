@@ -168,7 +168,7 @@ void Hunter::huntContainments(int count)
         subject_.machine.zero() + random_.uniform(0.0, 1.0) * (borderPoint() - subject_.machine.zero());
     Budget budget;
     budget.threads = 1;
-    budget.max_boxes = 3000;
+    budget.max_boxes = static_cast<std::int64_t>(std::pow(10.0, random_.uniform(0.5, 3.5)));
     const ContainmentResult result = checkContainment(test_, *query.shape, center, size, budget);
     const std::string claim = "the " + query.shape->name() + " of size " + std::to_string(size) + " at " +
                               inWords(center) + " was proved to be ";

@@ -37,7 +37,7 @@ RegionQuery Hunter::drawnQuery(Body& body)
   RegionQuery query;
   query.criterion = subject_.criterion;
   query.budget.threads = 1;
-  query.budget.max_boxes = 4000;
+  query.budget.max_boxes = random_.once(4) ? random_.integer(1, 200) : 4000;
   query.budget.time_limit = 2.0;  // for the proofs of regions, which boxes of centers do not count
   setShape(body.wish, query);
   const AccuracyRange range = accuracyRange(subject_.machine, *query.shape);
