@@ -123,18 +123,18 @@ class Certificate(CommandTest):
         rng = random.Random(SEED)
         _, data, path = self.write("--urdf", URANESX, "--shape", "square", "--accuracy", 0.05)
         whole = path.read_bytes()
-        whole_says = self.by_python(data)
+        whole_says = by_python(data)
         refused = 0
         for number in range(10 * ALTERED):
             text = spoiled(rng, whole).decode("latin-1")
             with self.subTest(number=number, seed=SEED):
                 try:
-                    by_python = self.by_python(json.loads(text, object_pairs_hook=check_certificate.once))
+                    says = by_python(json.loads(text, object_pairs_hook=check_certificate.once))
                 except (check_certificate.Refused, *check_certificate.NOT_UNDERSTOOD):
-                    by_python = None
-                self.assertEqual(self.by_pkm(text), by_python)
-                refused += by_python is None
-                if by_python == whole_says:  # then it is about what it was about, but for names
+                    says = None
+                self.assertEqual(by_pkm(text), says)
+                refused += says is None
+                if says == whole_says:  # then it is about what it was about, but for names
                     changed = [name for name in ("criterion", "body") if json.loads(text)[name] != data[name]]
                     self.assertEqual(changed, [])
         self.assertGreater(refused, 5 * ALTERED)

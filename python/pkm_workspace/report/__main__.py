@@ -6,16 +6,17 @@ import sys
 
 from pkm_workspace import core, report
 from pkm_workspace.errors import PkmError
+from pkm_workspace.words import Parser
 
 LEFT_OUT = {"shape", "certificate", "progress", "json", "vertices", "ratio"}
 
 
 def parser():
-    made = argparse.ArgumentParser(prog="pkm report", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-                                   argument_default=argparse.SUPPRESS,
-                                   description="Writes one file of HTML that needs no network: the report of a "
-                                   "machine (one URDF), of machines side by side (several), or of a study (its table, "
-                                   ".sqlite). Other options are the conditions of pkm largest.")
+    made = Parser(prog="pkm report", formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+                  argument_default=argparse.SUPPRESS,
+                  description="Writes one file of HTML that needs no network: the report of a machine (one URDF), of "
+                  "machines side by side (several), or of a study (its table, .sqlite). Other options are the "
+                  "conditions of pkm largest.")
     made.add_argument("files", metavar="FILE", nargs="+", help="URDFs, or the table of a study")
     made.add_argument("--output", metavar="FILE", required=True, help="the page; a file there is replaced")
     made.add_argument("--shape", help="what machines are compared by")

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm study FILE: a table of many designs, from a file of YAML (docs/study.md)."""
 
-import argparse
 import sys
 import time
 
 from pkm_workspace import study
 from pkm_workspace.errors import PkmError
 from pkm_workspace.study.file import read_study
+from pkm_workspace.words import Parser
 
 OFTEN = 1.0  # between two lines of progress [s]
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(prog="pkm study", description="Evaluates many designs, from a file of YAML: one "
+    parser = Parser(prog="pkm study", description="Evaluates many designs, from a file of YAML: one "
                                      "row for each in a table of SQLite, which the same command goes on with.")
     parser.add_argument("file", metavar="FILE", help="the study: family, designs, question (docs/study.md)")
     parser.add_argument("--table", metavar="FILE", help="of SQLite; without it, what the study says, or its name with "
