@@ -44,7 +44,7 @@ class Result(dict):
 
 def brief(value):
     """In one line."""
-    if hasattr(value, "shape"):
+    if not isinstance(value, Result) and hasattr(value, "shape"):
         return f"array of the shape {value.shape}"
     if isinstance(value, Result):
         text = "{" + ", ".join(f"{name}: {brief(member)}" for name, member in value.items()) + "}"

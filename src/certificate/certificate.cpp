@@ -43,8 +43,9 @@ void refuse(Problems& problems, bool is_asked, const char* what)
 }
 }  // namespace
 
-void validateCertificate(const Machine& machine, const Criterion& criterion, Problems& problems)
+void validateCertificate(const Machine& machine, const Criterion& criterion, const Shape* shape, Problems& problems)
 {
+  refuse(problems, shape != nullptr && (shape->isPolytope() || shape->ownProof() != nullptr), "regions of this shape");
   for (const Leg& leg : machine.legs())
     refuse(problems, std::holds_alternative<Crank>(leg.kind) && leg.limits.isBounded() && leg.limits.width() > 3.14,
            "cranks with limits of more than half a turn");
@@ -56,10 +57,9 @@ void validateCertificate(const Machine& machine, const Criterion& criterion, Pro
 
 void validateCertificate(const Machine& machine, const RegionQuery& query, Problems& problems)
 {
-  validateCertificate(machine, query.criterion, problems);
+  validateCertificate(machine, query.criterion, query.shape.get(), problems);
   refuse(problems, query.turns(), "turned regions");
   refuse(problems, query.ratio.has_value(), "cylinders of free ratio");
-  refuse(problems, query.shape->isPolytope() || query.shape->ownProof() != nullptr, "regions of this shape");
 }
 
 RegionCertificate certificateOf(const Machine& machine, const RegionQuery& query, const LargestRegion& region,
@@ -89,7 +89,7 @@ std::string certificateOf(const Machine& machine, const Criterion& criterion, co
                           const Eigen::Vector3d& center, double size)
 {
   Problems problems;
-  validateCertificate(machine, criterion, problems);
+  validateCertificate(machine, criterion, &shape, problems);
   throwProblems(problems);
   const BoxTest test(machine, criterion, Precision::MULTIPLE);
   return fileOf(machine, criterion, &shape, { { "region", regionText(test, shape, center, size) } });

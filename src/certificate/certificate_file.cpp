@@ -9,6 +9,9 @@ namespace pkm_workspace
 {
 namespace
 {
+/// Of a paving, at most, while it is written.
+constexpr std::int64_t BYTES_A_BOX = 160;
+
 void requireInside(Containment verdict, const std::string& what)
 {
   if (verdict != Containment::INSIDE)
@@ -26,11 +29,11 @@ void CertificateFile::follow(const Machine& machine, RegionQuery& query)
   record_.follow(machine, query);
 }
 
-void CertificateFile::validate(const Machine& machine, const Criterion& criterion) const
+void CertificateFile::validate(const Machine& machine, const Criterion& criterion, const Shape* shape) const
 {
   Problems problems;
   if (given())
-    validateCertificate(machine, criterion, problems);
+    validateCertificate(machine, criterion, shape, problems);
   throwProblems(problems);
 }
 
@@ -53,10 +56,16 @@ std::string CertificateFile::save(const Machine& machine, const Criterion& crite
   return "";
 }
 
-std::string CertificateFile::save(const Machine& machine, const Criterion& criterion, const Paving& paving) const
+std::string CertificateFile::save(const Machine& machine, const Criterion& criterion, const Paving& paving,
+                                  std::int64_t max_memory) const
 {
-  if (given())
-    writeWholeFile(path_, certificateOf(machine, criterion, paving));
+  if (!given())
+    return "";
+  if (paving.boxes > max_memory / BYTES_A_BOX)
+    throw std::invalid_argument("the certificate of " + std::to_string(paving.boxes) + " boxes takes up to " +
+                                std::to_string(paving.boxes * BYTES_A_BOX) + " bytes of memory, " +
+                                std::to_string(max_memory) + " are allowed: ask for a coarser resolution");
+  writeWholeFile(path_, certificateOf(machine, criterion, paving));
   return "";
 }
 

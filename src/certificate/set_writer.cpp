@@ -16,7 +16,7 @@ constexpr double SHORTEST_PIECE = 0x1p-30;
 void requireKnown(const Machine& machine, const Criterion& criterion)
 {
   Problems problems;
-  validateCertificate(machine, criterion, problems);
+  validateCertificate(machine, criterion, nullptr, problems);
   throwProblems(problems);
 }
 

@@ -89,7 +89,7 @@ public:
   Answer answer() override
   {
     const Machine& machine = machine_.machine();
-    certificate_.validate(machine, criterion_);
+    certificate_.validate(machine, criterion_, centers_ ? nullptr : body_.solid().shape.get());
     const Progress progress = caller().progress(progress_);
     const BoxTest test(machine, criterion_, multi_precision_ ? Precision::MULTIPLE : Precision::DOUBLE);
     if (centers_)

@@ -145,7 +145,8 @@ public:
       savePavings(save_, pavings);
       paved_.reports[paved_.asked].paving = std::move(pavings[paved_.asked]);
     }
-    certificate_.save(caller(), machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving);
+    certificate_.save(caller(), machine_.machine(), query_.criterion, paved_.reports[paved_.asked].paving,
+                      query_.budget.max_memory);
     paved_.mesh.save(machine_.machine());
   }
 

@@ -19,7 +19,9 @@ void becomePython(const std::string& module, const Words& words)
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path beside = program.parent_path().parent_path() / "python3" / "dist-packages";
   const char* const before = std::getenv("PYTHONPATH");
-  const std::string path = (before == nullptr ? "" : std::string(before) + ":") + beside.string();
+  const bool has_path = before != nullptr && *before != '\0';
+  const std::string path = (has_path ? std::string(before) + ":" : "") + beside.string();
+  setenv("PYTHONSAFEPATH", "1", 1);  // no module of the current folder
   if (fs::exists(beside, error))
     setenv("PYTHONPATH", path.c_str(), 1);
   Words all = { "python3", "-m", "pkm_workspace." + module };

@@ -2,6 +2,7 @@
 #include "pkm_workspace/ros/certificate_request.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 namespace pkm_workspace
@@ -29,6 +30,11 @@ std::shared_ptr<CertificateFile> certificateFile(const std::string& name, const 
     throw std::invalid_argument("certificate = '" + name +
                                 "': this node writes no certificates; its parameter ~certificate_folder names the "
                                 "folder that they go to");
-  return std::make_shared<CertificateFile>(parameters.certificate_folder + "/" + name);
+  const std::string path = parameters.certificate_folder + "/" + name;
+  std::error_code error;
+  if (std::filesystem::is_symlink(path, error))
+    throw std::invalid_argument("certificate = '" + name +
+                                "': there is a symbolic link of that name, which is not followed");
+  return std::make_shared<CertificateFile>(path);
 }
 }  // namespace pkm_workspace

@@ -105,9 +105,9 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   const auto region = fromMessage(request.solid, request.vertices, request.center, problems);
   const Budget budget = budgetOf(request.max_boxes, problems);
   throwProblems(problems);
-  const auto certificate = certificateFile(request.certificate, context_.parameters);
-  certificate->validate(evaluator->machine(), evaluator->criterion());
   const auto& [solid, center] = *region;
+  const auto certificate = certificateFile(request.certificate, context_.parameters);
+  certificate->validate(evaluator->machine(), evaluator->criterion(), solid.shape.get());
   const ContainmentResult result = checkContainment(evaluator->test(), *solid.shape, center, solid.size, budget);
   response.verdict = constantOf(result.verdict);
   response.boxes = result.boxes;

@@ -114,7 +114,7 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
   context_.health.noteComputation({ describe(question.query), summary(answer), answer.region.seconds, stopped });
 
   Region message = toMessage(answer, ros::Time::now());
-  if (question.certificate && question.certificate->given())
+  if (question.certificate && question.certificate->given() && !*stop)
     saveCertificate(*question.certificate, message, *question.in.machine, question.query, answer.region);
   const auto region = std::make_shared<const Region>(message);
   if (!*stop)

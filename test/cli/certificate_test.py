@@ -158,6 +158,18 @@ class Certificate(CommandTest):
             self.assertEqual((process.returncode, process.stdout), (2, ""), words)
             self.assertRegex(process.stderr, "certificates do not know .*%s.*leave it out" % what)
             self.assertFalse(path.exists())
+        corners = self.file("corners.txt", "0.1 0 0\n-0.1 0 0\n0 0.1 0\n0 -0.1 0\n0 0 0.1\n0 0 -0.1\n")
+        process = run("check", "--urdf", ORTHOGLIDE, "--center", 0, 0, 0, "--shape", "polytope", "--vertices", corners,
+                      "--size", 1, "--certificate", path)
+        self.assertEqual((process.returncode, process.stdout), (2, ""), process.stderr)
+        self.assertIn("certificates do not know regions of this shape", process.stderr)
+
+    def test_a_paving_of_more_boxes_than_memory_has_none(self):
+        path = self.folder / "none.json"
+        process = run("pave", "--urdf", ORTHOGLIDE, "--resolution", 0.1, "--max-memory", 1000000, "--certificate", path)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("ask for a coarser resolution", process.stderr)
+        self.assertFalse(path.exists())
 
     def test_what_attackers_write_is_refused(self):
         """Each of these was once accepted by one of the two."""

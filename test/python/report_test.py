@@ -10,9 +10,10 @@ import shutil
 import subprocess
 import unittest
 
-from support import CommandTest, core, machine
+from support import URDF, CommandTest, core, machine
 from pkm import ORTHOGLIDE, PKM, URANESX
 from pkm_workspace import report, study
+from pkm_workspace.report.body import surface_of
 from pkm_workspace.report.numbers import bracket, rounded_up
 
 SEED = 1912
@@ -96,6 +97,36 @@ class Report(CommandTest):
                     self.assertLess(upper - lower, 1.1 * region.accuracy)
                 self.assertEqual(text.count("<svg"), 4)
                 self.assertIn("Proved: ", text)
+
+    def test_it_says_what_was_asked(self):
+        zones = ["sphere 0 0 0 0.1", "sphere 1 1 1 0.1"]
+        given = [word for zone in zones for word in ("--keep-out", *zone.split())]
+        page = self.folder / "page.html"
+        for words, keywords, told in ((given, {"keep_out": zones}, "keep out sphere 0 0 0 0.1 sphere 1 1 1 0.1"),
+                                      (["--search-box", *"-0.1 0.1 -0.1 0.1 0 0".split()],
+                                       {"search_box": [-0.1, 0.1, -0.1, 0.1, 0, 0]}, "with the search box that was asked")):
+            process = self.command(ORTHOGLIDE, "--accuracy", 0.01, *words, "--output", page)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            text, rows = self.read()
+            region = core.largest(machine("orthoglide"), shape="cube", accuracy=0.01, **keywords)
+            self.assertLessEqual(numbers_in(rows[1][1])[0], region.size)
+            self.assertGreaterEqual(numbers_in(rows[1][1])[1], region.size_upper_bound)
+            self.assertIn(told, text)
+
+    def test_points_of_a_proved_region_have_no_negative_margin(self):
+        made = machine("orthoglide")
+        for shapes, keywords in (((("cylinder", {"ratio": [0.5, 0.5]}), ), {}), ((("disc", {}), ), {}),
+                                 ((("box", {"proportions": [1, 3, 1]}), ), {"turned": True}), ((("sphere", {}), ), {})):
+            region = core.largest(made, shape=shapes[0][0], accuracy=0.01, **shapes[0][1], **keywords)
+            for point, answer in zip(surface_of(region), core.evaluate(made, points=surface_of(region)).points):
+                self.assertGreaterEqual(answer.binding.margin, -1e-9, (shapes, point))
+            report.machine(made, self.folder / "page.html", shapes=shapes, accuracy=0.01, **keywords)
+            self.read()
+
+    def test_names_are_text(self):
+        urdf = (URDF / "orthoglide.urdf").read_text().replace("rail_x", "r$x$&lt;b&gt;")
+        report.machine(core.Machine(urdf), self.folder / "page.html", accuracy=0.01)
+        self.assertNotIn("<b>", self.read()[0])
 
     def test_the_same_machine_has_the_same_report(self):
         for name in ("one.html", "two.html"):

@@ -69,10 +69,31 @@ class Rows(StudyTest):
             region = core.largest(linear_delta(share), **SQUARE)
             self.assertLessEqual(size, region.size_upper_bound + 1e-9)
             self.assertLessEqual(region.size, size + SQUARE["accuracy"] + 1e-9)
-        table = self.folder / "files.sqlite"
+        table = self.folder / "a#b%41?.sqlite"
         study.run(study.Files(), [{"urdf": file} for file in made], table, **SQUARE)
         for row, size in zip(study.read(table)[1], (sizes[0], sizes[2])):  # a mixture is written with other last digits
             self.assertAlmostEqual(row[4], size, delta=1e-12)
+        self.file("b.urdf", linear_delta(0.36).urdf)
+        with self.assertRaisesRegex(core.PkmError, "its family differ"):
+            study.run(study.Files(), [{"urdf": file} for file in made], table, **SQUARE)
+
+    def test_another_function_is_another_family(self):
+        study.run(lambda difference: linear_delta(difference), [{"difference": 0.4}], self.table, **SQUARE)
+        with self.assertRaisesRegex(core.PkmError, "its family differ"):
+            study.run(lambda difference: linear_delta(difference + 0.01), [{"difference": 0.4}], self.table, **SQUARE)
+
+    def test_what_fails_in_one_design_is_told_in_its_row(self):
+        def family(difference):
+            return {}["nothing"] if difference > 0.4 else linear_delta(difference)
+        designs = [{"difference": 0.39}, {"difference": 0.41}]
+        study.run(family, designs, self.table, volumes={"resolution": -1.0}, **SQUARE)
+        first, second = study.read(self.table)[1]
+        self.assertEqual(first[2], "proven")
+        self.assertIn("Not computed: volumes or guarantees: resolution -1", first[3])
+        self.assertEqual(second[2:4], ("refused", "KeyError: 'nothing'"))
+        for name in ("Size", "seconds"):
+            with self.assertRaisesRegex(core.PkmError, f"cannot be called {name}"):
+                study.run(family, [{name: 1}], self.folder / "other.sqlite", **SQUARE)
 
 
 class Files(StudyTest):

@@ -122,6 +122,10 @@ TEST_F(Certificates, goToPlainNamesOnly)
     EXPECT_NE(std::string::npos, answer.message.find("must be the plain name of a file")) << answer.message;
   }
   CheckRegion::Request request = cubeOf(0.2);
+  std::filesystem::create_symlink("elsewhere", folder_ + "/link");
+  request.certificate = "link";
+  EXPECT_EQ(ErrorCode::INVALID_REQUEST, call<CheckRegion>("check_region", request).error_code);
+  std::filesystem::remove(folder_ + "/link");
   request.certificate = std::string(101, 'a');
   EXPECT_EQ(ErrorCode::INVALID_REQUEST, call<CheckRegion>("check_region", request).error_code);
   EXPECT_TRUE(isEmpty());

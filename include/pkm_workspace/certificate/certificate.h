@@ -18,7 +18,8 @@ namespace pkm_workspace
 // for each box of their proofs the reason.
 
 /// Appends one sentence for everything that certificates do not know yet.
-void validateCertificate(const Machine& machine, const Criterion& criterion, Problems& problems);
+/// @param shape of the region that it is about, or nullptr
+void validateCertificate(const Machine& machine, const Criterion& criterion, const Shape* shape, Problems& problems);
 /// The same of a search for the largest region.
 void validateCertificate(const Machine& machine, const RegionQuery& query, Problems& problems);
 

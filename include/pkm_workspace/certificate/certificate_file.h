@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,16 @@ public:
   /// Before a search: records its reasons. Keeps this object's address: it must outlive the search.
   void follow(const Machine& machine, RegionQuery& query);
   /// Before any other computation.
-  void validate(const Machine& machine, const Criterion& criterion) const;
+  void validate(const Machine& machine, const Criterion& criterion, const Shape* shape = nullptr) const;
 
   /// Of the search that was followed. @return one sentence about what of the answer it does not claim, or nothing
   std::string save(const Machine& machine, const RegionQuery& query, const LargestRegion& region) const;
   /// Of the verdict on a solid region.
   std::string save(const Machine& machine, const Criterion& criterion, Containment verdict, const Solid& solid,
                    const Eigen::Vector3d& center) const;
-  std::string save(const Machine& machine, const Criterion& criterion, const Paving& paving) const;
+  /// @param max_memory that it may take [bytes]: a box in writing takes more than one in memory
+  std::string save(const Machine& machine, const Criterion& criterion, const Paving& paving,
+                   std::int64_t max_memory) const;
   /// Of the verdict on a path. @param is_at_speed whether limits of joint speeds were part of it
   std::string save(const Machine& machine, const Criterion& criterion, Containment verdict,
                    const std::vector<PathSegment>& path, bool is_at_speed) const;

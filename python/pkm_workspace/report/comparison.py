@@ -16,7 +16,7 @@ def comparison(machines, path, *, shape="cube", **criterion):
         raise PkmError("a comparison needs two machines or more")
     answers = core.compare(*machines, shape=shape, **criterion).machines
     first = answers[0]
-    page = Page("Machines compared", f"by the largest {shape}; {said(first)}")
+    page = Page("Machines compared", f"by the largest {shape}; {said(first, criterion)}")
     names = [f"{number_} {answer.machine}" for number_, answer in enumerate(answers, 1)]
     page.section("Size")
     page.table(["machine", meaning(first), "volume", "center [m]", "status"],
@@ -28,15 +28,16 @@ def comparison(machines, path, *, shape="cube", **criterion):
                            [answer.size_upper_bound or 0.0 for answer in answers], f"{meaning(first)} [m]"),
                 "Blue: the certified region. Orange: up to where there may be a larger one.")
     page.section("Strokes")
+    page.text("Ranges that hold the region, all of the longest stroke of their machine.")
     page.table(["machine", "joint", "range", "stroke"],
-               [[name, joint.joint, f"{number(joint.lower)} to {number(joint.upper)}", number(joint.upper - joint.lower)]
+               [[name, joint.joint, bracket(joint.lower, joint.upper), number(joint.upper - joint.lower)]
                 for name, answer in zip(names, answers) for joint in answer.joint_ranges or []])
     page.section("What these strokes allow")
     page.text("Brackets for each machine; scaled: as if the region had the size 1.", note=True)
-    keys = [key for key in answers[0].figures or {}]
+    keys = dict.fromkeys(key for answer in answers for key in answer.get("figures") or {})
     page.table(["figure", *names, *(f"{name}, scaled" for name in names)],
-               [[key.replace("_", " "), *(shown(answer.figures, key) for answer in answers),
-                 *(shown(answer.scaled, key) for answer in answers)] for key in keys])
+               [[key.replace("_", " "), *(shown(answer.get("figures"), key) for answer in answers),
+                 *(shown(answer.get("scaled"), key) for answer in answers)] for key in keys])
     page.save(path)
 
 

@@ -9,24 +9,26 @@ import numpy as np
 from pkm_workspace import core
 from pkm_workspace.errors import PkmError
 from pkm_workspace.report import plots
-from pkm_workspace.report.numbers import bracket, number
+from pkm_workspace.report.body import outline_of, surface_of
+from pkm_workspace.report.numbers import bracket, in_words, number
 from pkm_workspace.report.page import Page
 
 SHAPES = (("cube", {}), ("sphere", {}), ("cylinder", {"ratio": [0.5, 0.5]}), ("square", {}))
 FINENESS = 61  # points along each side of a section
 OF_SEARCHES = {"accuracy", "threads", "time_limit", "max_memory", "max_boxes", "multi_precision", "certificate",
                "progress", "json", "turned"}
+PLACES = {"base_z", "center", "search_box"}
 
 
 def machine(machine, path, *, shapes=SHAPES, **criterion):
     """Writes the report of a machine. criterion: the keywords of largest() that say what every point satisfies."""
     asked = {key: value for key, value in criterion.items() if key not in OF_SEARCHES}
-    regions = [(name, region_of(machine, name, {**measures, **criterion})) for name, measures in shapes]
+    regions = regions_of(machine, shapes, criterion)
     first = next((region for _, region in regions if region.size), None)
     if first is None:
-        raise PkmError(f"{machine.name} has no region of these shapes: {regions[0][1].message}")
-    page = Page(f"Machine {machine.name}", f"geometry {first.geometry_hash}; {said(first)}")
-    add_regions(page, regions)
+        raise PkmError(f"no region of {machine.name} is proved: {regions[0][1].message}")
+    page = Page(f"Machine {machine.name}", f"geometry {first.geometry_hash}; {said(first, criterion)}")
+    add_regions(page, regions, PLACES & set(criterion))
     add_joints(page, machine, first)
     add_binding(page, machine, first, asked)
     add_sections(page, machine, first, asked)
@@ -34,18 +36,27 @@ def machine(machine, path, *, shapes=SHAPES, **criterion):
     page.save(path)
 
 
-def region_of(machine, shape, keywords):
-    try:
-        return core.largest(machine, shape=shape, **keywords)
-    except PkmError as reason:
-        return core.Result(size=None, message=str(reason))
+def regions_of(machine, shapes, criterion):
+    """The answer for each shape; of those that cannot be asked for, the reason, unless that is so for all of them."""
+    found, reasons = [], []
+    for name, measures in shapes:
+        try:
+            found.append((name, core.largest(machine, shape=name, **{**measures, **criterion})))
+        except PkmError as reason:
+            reasons.append(reason)
+            found.append((name, core.Result(size=None, message=str(reason))))
+    if len(reasons) == len(found):
+        raise reasons[0]
+    return found
 
 
-def said(region):
-    """What the numbers of an answer hold for."""
+def said(region, asked):
+    """What the numbers of an answer hold for: what they were asked with, too."""
     bounds = f"velocity transmission factors in [{region.psi_min:g}, {region.psi_max:g}]" \
         if region.get("psi_min") and region.get("psi_max") else f"{region['set']} points"
-    return f"{bounds}, {'within' if region.joint_limits else 'without'} the joint limits, aspect {region.aspect}"
+    more = in_words({key: value for key, value in asked.items() if key not in ("psi_min", "psi_max", "joint_limits")})
+    return (f"{bounds}, {'within' if region.joint_limits else 'without'} the joint limits, aspect {region.aspect}"
+            + (f"; asked with {more}" if more else ""))
 
 
 def meaning(region):
@@ -53,10 +64,11 @@ def meaning(region):
     return {"cube": "edge", "square": "edge", "sphere": "radius", "cylinder": "height"}.get(region.shape, "size")
 
 
-def add_regions(page, regions):
+def add_regions(page, regions, places):
     page.section("The largest regions")
-    page.text("Every point of each of these regions satisfies the conditions, proved; and no region of that shape is "
-              "larger than the upper end of its bracket.")
+    page.text("Every point of each of these regions satisfies the conditions, proved; and no region of that shape"
+              + (f" with the {' and '.join(sorted(places)).replace('_', ' ')} that was asked for" if places else "")
+              + " is larger than the upper end of its bracket.")
     found = [(name, region) for name, region in regions if region.size]
     page.table(["shape", "size", "center [m]", "volume", "status"],
                [[name, f"{meaning(region)} {bracket(region.size, region.size_upper_bound, 'm')}",
@@ -86,21 +98,10 @@ def add_joints(page, machine, region):
                [[joint.joint, bracket(*joint.enclosures.lower, joint.unit), bracket(*joint.enclosures.upper, joint.unit),
                  number(joint.stroke, joint.unit), " to ".join(f"{x:g}" for x in limits.get(joint.joint, ()))]
                 for joint in region.joint_ranges])
-    unit = region.joint_ranges[0].unit
-    page.figure(plots.ranges([(joint.joint, (joint.lower, joint.upper), limits.get(joint.joint))
-                              for joint in region.joint_ranges], f"joint value [{unit}]"),
-                "Blue: the certified range of each joint while the tool goes through the region. Grey: its limits.")
-
-
-def surface_of(region):
-    """Corners, or the ends of the axes, and the center."""
-    half = np.array([x / 2 for x in region.dimensions]) if region.shape in ("cube", "square", "box") else None
-    center = np.array(region.center)
-    if half is None:
-        reach = max(region.dimensions)
-        return center + np.vstack([np.zeros(3), reach * np.eye(3), -reach * np.eye(3)])
-    corners = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
-    return center + np.vstack([np.zeros(3), np.unique(corners * half, axis=0)])
+    for unit in dict.fromkeys(joint.unit for joint in region.joint_ranges):
+        page.figure(plots.ranges([(joint.joint, (joint.lower, joint.upper), limits.get(joint.joint))
+                                  for joint in region.joint_ranges if joint.unit == unit], f"joint value [{unit}]"),
+                    "Blue: the certified range of each joint while the tool goes through the region. Grey: its limits.")
 
 
 def add_binding(page, machine, region, criterion):
@@ -108,11 +109,17 @@ def add_binding(page, machine, region, criterion):
     points = surface_of(region)
     answers = core.evaluate(machine, points=points, **of_evaluate(criterion)).points
     page.text(f"The nearest limit at the center of the {region.shape} and at the corners of its surface. The margin is "
-              "how far the value is from its bound.")
+              "how far the value is from its bound, both in SI units where they have one.")
     page.table(["point [m]", "limit", "joint", "value", "bound", "margin"],
                [[", ".join(number(float(x), digits=4) for x in point), answer.binding.limit, answer.binding.joint or "",
-                 number(answer.binding.value), number(answer.binding.bound), number(answer.binding.margin, digits=3)]
+                 number(answer.binding.value), number(answer.binding.bound), margin_of(answer)]
                 for point, answer in zip(points, answers)])
+
+
+def margin_of(answer):
+    """Values are enclosed for each condition by itself: one may look worse than what is proved of all of them."""
+    margin = answer.binding.margin
+    return "not negative, proved" if answer.satisfies and margin is not None and margin < 0 else number(margin, digits=3)
 
 
 def of_evaluate(criterion):
@@ -129,7 +136,7 @@ def add_sections(page, machine, region, criterion):
         planes = [plane_of(machine, center, steps, axes, pick, region, criterion) for axes in ((0, 1), (0, 2), (1, 2))]
         page.figure(plots.sections(planes, [level for level in levels if level], f"{name} factor [1]"),
                     f"The {name} velocity transmission factor over the planes through the region's center, in floating "
-                    "point. Orange: its bound. White: the region. Nothing is drawn where the machine does not reach.",
+                    "point, at most three times its bound. Orange: its bound. White: the region. Nothing is drawn where the machine does not reach.",
                     is_wide=True)
 
 
@@ -138,6 +145,8 @@ def plane_of(machine, center, steps, axes, pick, region, criterion):
     points[:, axes[0]] += np.repeat(steps, len(steps))
     points[:, axes[1]] += np.tile(steps, len(steps))
     answers = core.evaluate(machine, points=points, **of_evaluate(criterion)).points
+    if len(answers) < len(points):
+        raise KeyboardInterrupt
     field = [pick(answer.psi) if answer.psi and answer.within_reach else math.nan for answer in answers]
     names = "xyz"
     field = np.clip(np.array(field).reshape(len(steps), -1), None, 3 * (region.get("psi_max") or 2))
@@ -145,20 +154,9 @@ def plane_of(machine, center, steps, axes, pick, region, criterion):
             outline_of(region, center, axes))
 
 
-def outline_of(region, center, axes):
-    if region.shape in ("cube", "square", "box"):
-        half = [x / 2 for x in region.dimensions] + [0.0]
-        x, y = half[axes[0]], half[axes[1]] if axes[1] < len(region.dimensions) else 0.0
-        return center[axes[0]] + np.array([-x, x, x, -x, -x]), center[axes[1]] + np.array([-y, -y, y, y, -y])
-    if region.shape == "sphere":
-        angle = np.linspace(0, 2 * np.pi, 90)
-        radius = region.dimensions[0]
-        return center[axes[0]] + radius * np.cos(angle), center[axes[1]] + radius * np.sin(angle)
-    return None
-
-
 def add_volumes(page, machine, criterion):
     page.section("The whole set")
+    page.text("Of all points that satisfy the conditions, wherever they lie.")
     known = core.keywords_of("pave")
     keywords = {key: value for key, value in criterion.items() if key in known}
     try:

@@ -39,3 +39,16 @@ def number(value, unit="", digits=5):
 
 def rounded_up(value):
     return rounded(value, step_of(value, value), decimal.ROUND_CEILING)
+
+
+def rounded_down(value):
+    return rounded(value, step_of(value, value), decimal.ROUND_FLOOR)
+
+
+def in_words(told):
+    """"uranesx, shape square, accuracy 1e-3": what is not None."""
+    if isinstance(told, (list, tuple)):
+        return " ".join(map(in_words, told))
+    if not isinstance(told, dict):
+        return f"{told:g}" if isinstance(told, float) else str(told)
+    return ", ".join(f"{name.replace('_', ' ')} {in_words(value)}" for name, value in told.items() if value is not None)

@@ -10,6 +10,11 @@ from pkm_workspace.errors import PkmError
 BLUE, ORANGE, GREEN, PURPLE, GREY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8c959f"
 
 
+def plain(text):
+    """Without what matplotlib takes for mathematics."""
+    return str(text).replace("$", r"\$")
+
+
 def pyplot():
     try:
         import matplotlib
@@ -36,7 +41,7 @@ def bars(names, lowers, uppers, label):
     places = np.arange(len(names))[::-1]
     axes.barh(places, lowers, color=BLUE, height=0.6)
     axes.hlines(places, lowers, uppers, color=ORANGE, linewidth=3)
-    axes.set_yticks(places, names)
+    axes.set_yticks(places, list(map(plain, names)))
     axes.set_xlabel(label)
     return svg(figure)
 
@@ -48,7 +53,7 @@ def ranges(rows, label):
         if limits:
             axes.hlines(place, *limits, color=GREY, linewidth=3)
         axes.hlines(place, *taken, color=BLUE, linewidth=9)
-    axes.set_yticks(range(len(rows) - 1, -1, -1), [name for name, *_ in rows])
+    axes.set_yticks(range(len(rows) - 1, -1, -1), [plain(name) for name, *_ in rows])
     axes.set_ylim(-0.6, len(rows) - 0.4)
     axes.set_xlabel(label)
     return svg(figure)
@@ -83,7 +88,7 @@ def scatter(xs, lowers, uppers, x_label, y_label, marked=None):
     axes.plot(xs, lowers, ".", color=BLUE, markersize=4)
     if marked is not None and len(marked):
         axes.plot(np.asarray(xs)[marked], np.asarray(lowers)[marked], "o-", color=GREEN, markersize=5)
-    axes.set_xlabel(x_label)
+    axes.set_xlabel(plain(x_label))
     axes.set_ylabel(y_label)
     return svg(figure)
 
@@ -93,7 +98,7 @@ def signed_bars(names, values, label):
     places = np.arange(len(names))[::-1]
     axes.barh(places, values, color=[BLUE if value >= 0 else ORANGE for value in values], height=0.6)
     axes.axvline(0.0, color=GREY, linewidth=1)
-    axes.set_yticks(places, names)
+    axes.set_yticks(places, list(map(plain, names)))
     axes.set_xlim(-1, 1)
     axes.set_xlabel(label)
     return svg(figure)

@@ -5,9 +5,9 @@ import numpy as np
 
 from pkm_workspace.errors import PkmError
 from pkm_workspace.report import plots
-from pkm_workspace.report.numbers import bracket, number, rounded_up
+from pkm_workspace.report.numbers import bracket, in_words, number, rounded_down, rounded_up
 from pkm_workspace.report.page import Page
-from pkm_workspace.study.table import read, told_of
+from pkm_workspace.study.table import count_of, read, told_of
 
 MOST_ROWS = 2000  # of the table in the page
 
@@ -21,7 +21,8 @@ def study(table, path):
     found = [k for k in range(len(rows)) if data["size"][k]]
     if not found:
         raise PkmError(f"{table}: no design has a region: there is nothing to report")
-    page = Page("Study", f"{len(rows)} designs. Family: {in_words(told['family'])}. Asked: {in_words(told['question'])}.")
+    page = Page("Study", f"{len(rows)} of {count_of(table)} designs are evaluated. Family: {in_words(told['family'])}. "
+                f"Asked: {in_words(told['question'])}.")
     add_best(page, data, parameters, found)
     add_parameters(page, data, parameters, found)
     add_front(page, data, found)
@@ -33,19 +34,15 @@ def study(table, path):
 def add_best(page, data, parameters, found):
     page.section("The best designs")
     best = sorted(found, key=lambda k: -data["size"][k])[:10]
-    upper = max(data["size_upper_bound"][k] for k in found)
-    page.text(f"{len(found)} designs have a region, and none of these has one larger than "
-              f"{rounded_up(upper)} m, proved. Nothing is said of machines between the designs.")
+    bounds = [bound for bound in data["size_upper_bound"] if bound is not None]
+    unknown = len(data["size"]) - len(bounds)
+    page.text(f"{len(found)} of the designs that are evaluated have a region. None of "
+              + (f"the {len(bounds)} that are answered" if unknown else "them")
+              + f" has one larger than {rounded_up(max(bounds))} m, proved. Nothing is said of machines between designs"
+              + (f", nor of {unknown} designs that were refused." if unknown else "."))
     page.table(["design", *parameters, "size"],
                [[data["design"][k], *(number(data[name][k]) for name in parameters),
                  bracket(data["size"][k], data["size_upper_bound"][k], "m")] for k in best])
-
-
-def in_words(told):
-    """"uranesx, shape square, accuracy 1e-3": what is not None."""
-    if not isinstance(told, dict):
-        return str(told)
-    return ", ".join(f"{name.replace('_', ' ')} {in_words(value)}" for name, value in told.items() if value is not None)
 
 
 def numeric(data, names, found):
@@ -80,7 +77,7 @@ def add_front(page, data, found):
             front.append(number_)
     page.section("Size against stroke")
     page.figure(plots.scatter([stroke_of(data, k) for k in known], [data["size"][k] for k in known],
-                              [data["size_upper_bound"][k] for k in known], "sum of the three strokes", "size [m]",
+                              [data["size_upper_bound"][k] for k in known], "sum of the three strokes, each in the unit of its joint", "size [m]",
                               marked=front),
                 "Green: the Pareto front. No other design has a larger certified region with shorter strokes.")
 
@@ -111,5 +108,14 @@ def add_table(page, names, rows):
     page.section("All designs")
     if len(rows) > MOST_ROWS:
         page.text(f"The first {MOST_ROWS} of {len(rows)} rows; pkm study --export has all of them.", note=True)
-    page.table(names, [[(number(value, digits=6), value) if isinstance(value, (int, float)) else ("" if value is None
-                        else value) for value in row] for row in rows[:MOST_ROWS]], sortable=True)
+    page.table(names, [[shown(name, value) for name, value in zip(names, row)] for row in rows[:MOST_ROWS]],
+               sortable=True)
+
+
+def shown(name, value):
+    """What is certified is rounded outward."""
+    if not isinstance(value, (int, float)):
+        return "" if value is None else value
+    if name == "size" or name.endswith("_lower"):
+        return rounded_down(value), value
+    return (rounded_up(value) if name.endswith(("_upper", "_upper_bound")) else number(value, digits=6)), value

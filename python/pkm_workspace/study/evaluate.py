@@ -32,6 +32,8 @@ class Question:
         self.region = {"threads": 1, **region}
         self.volumes = None if volumes is None else {"threads": 1, "list_boxes": None, **volumes}
         self.guarantees = None if guarantees is None else {"threads": 1, **guarantees}
+        if isinstance(self.guarantees and self.guarantees.get("quantity"), str):
+            self.guarantees["quantity"] = [self.guarantees["quantity"]]
         for command, keywords in (("largest", region), ("pave", volumes or {}), ("guarantee", guarantees or {})):
             refuse_unknown(command, keywords)
         if guarantees is not None and not guarantees.get("quantity"):
@@ -55,8 +57,12 @@ class Question:
             warnings.simplefilter("ignore", PkmWarning)
             try:
                 self.fill(row, family(**design))
-            except (ValueError, TypeError, ArithmeticError) as reason:
-                row.update(status="refused", reason=str(reason))
+            except Exception as reason:  # a family is anybody's code, and a row is not the study
+                text = str(reason) if isinstance(reason, PkmError) else f"{type(reason).__name__}: {reason}"
+                if row["status"] is None:
+                    row.update(status="refused", reason=text)
+                else:
+                    row["reason"] += f" Not computed: volumes or guarantees: {text}"
         row["seconds"] = time.perf_counter() - begin
         return list(row.values())
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Families of machines: what a design becomes a machine by. Each is a value that can be sent to another process."""
 
+import hashlib
 import importlib
 import importlib.util
+import inspect
 import pathlib
 
 from pkm_workspace.core import Machine, mix
@@ -18,7 +20,7 @@ class Catalogue:
     def __call__(self, **design):
         return Machine.from_numbers(**self.fixed, **design)
 
-    def describe(self):
+    def describe(self, designs):
         return {"catalogue": self.fixed}
 
 
@@ -37,7 +39,7 @@ class Mixture:
     def __getstate__(self):
         return {"urdfs": self.urdfs, "ends": None}
 
-    def describe(self):
+    def describe(self, designs):
         return {"mixture": self.urdfs}
 
 
@@ -47,8 +49,8 @@ class Files:
     def __call__(self, urdf, **names):
         return Machine(urdf, **names)
 
-    def describe(self):
-        return {"files": None}
+    def describe(self, designs):
+        return {"files": digest("".join(Machine(design["urdf"]).urdf for design in designs))}
 
 
 class Function:
@@ -56,6 +58,7 @@ class Function:
 
     def __init__(self, function):
         self.place, self.pickled, self.function = None, None, None
+        self.source = source_of(function)
         if isinstance(function, str):
             self.place, self.function = function, loaded(function)
         elif getattr(function, "__module__", "__main__") != "__main__" and "<" not in function.__qualname__:
@@ -74,8 +77,25 @@ class Function:
     def __getstate__(self):
         return {**self.__dict__, "function": None}
 
-    def describe(self):
-        return {"function": self.place}
+    def describe(self, designs):
+        return {"function": self.place, "source": digest(self.source)}
+
+
+def digest(text):
+    """What tells a text from all others."""
+    return hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()[:16]
+
+
+def source_of(function):
+    """A function that is changed is another family."""
+    if isinstance(function, str):
+        module = function.rpartition(":")[0]
+        return pathlib.Path(module).read_text(encoding="utf-8") if pathlib.Path(module).is_file() else function
+    try:
+        return inspect.getsource(function)
+    except (OSError, TypeError):  # typed in by hand, or an object that can be called
+        code = getattr(function, "__code__", None)
+        return repr(code and (code.co_code, code.co_names, [c for c in code.co_consts if isinstance(c, (int, float, str))]))
 
 
 def loaded(place):

@@ -49,6 +49,8 @@ def list_of(where, values):
     if isinstance(values, list):
         return [number(value) for value in values]
     known = part(where, values, {"from", "to", "count"}, ("from", "to", "count"))
+    if not isinstance(known["count"], int):
+        raise PkmError(f"{where}: count = {known['count']!r}: must be a whole number")
     return ways.numbers_between(*(number(known[name]) for name in ("from", "to", "count")))
 
 
@@ -77,7 +79,10 @@ def designs_of(value):
 
 def read_study(path):
     """The arguments of run() as a dictionary."""
-    import yaml
+    try:
+        import yaml
+    except ImportError:
+        raise PkmError("a study in a file needs PyYAML (Debian: python3-yaml)") from None
     path = pathlib.Path(path)
     try:
         text = path.read_text(encoding="utf-8")

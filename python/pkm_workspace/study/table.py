@@ -4,6 +4,7 @@
 import contextlib
 import json
 import sqlite3
+import urllib.parse
 
 from pkm_workspace.core import __version__
 from pkm_workspace.errors import PkmError
@@ -15,6 +16,15 @@ def quoted(name):
     return '"' + name.replace('"', '""') + '"'
 
 
+def refuse_clashes(parameters, columns):
+    """SQLite takes upper case for lower case."""
+    before = {name.casefold(): "a column of the table" for name in (*columns, "design")}
+    for name in parameters:
+        if name.casefold() in before:
+            raise PkmError(f"a parameter cannot be called {name}: so is {before[name.casefold()]}")
+        before[name.casefold()] = "another parameter, but for upper and lower case"
+
+
 class Table:
     """The designs, and the rows that are there. Opening a file again goes on with it: the study has to be the same."""
 
@@ -22,17 +32,15 @@ class Table:
         self.path = str(path)
         self.designs = designs
         self.columns = question.columns()
-        clash = set(self.columns) & set(designs[0]) | {"design"} & set(designs[0])
-        if clash:
-            raise PkmError(f"parameters cannot be called {', '.join(sorted(clash))}: columns of the table are")
-        told = {"format": FORMAT, "version": __version__, "family": family.describe(), "question": question.describe(),
-                "columns": self.columns}
-        self.connection = sqlite3.connect(self.path, isolation_level=None)
+        refuse_clashes(designs[0], self.columns)
+        told = {"format": FORMAT, "version": __version__, "family": family.describe(designs),
+                "question": question.describe(), "columns": self.columns}
         try:
+            self.connection = sqlite3.connect(self.path, isolation_level=None)
             self.connection.execute("PRAGMA journal_mode=WAL")
             self.connection.execute("PRAGMA synchronous=NORMAL")
             self._open(json.dumps(told, sort_keys=True, default=str))
-        except sqlite3.DatabaseError as reason:
+        except (sqlite3.Error, OverflowError) as reason:
             raise PkmError(f"{path}: cannot be used as the table of a study: {reason}") from reason
 
     def _open(self, told):
@@ -103,7 +111,7 @@ class Transaction:
 def reading(path):
     """A cursor on the file of a table. Raises PkmError where that is none."""
     try:
-        with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
+        with contextlib.closing(sqlite3.connect(f"file:{urllib.parse.quote(str(path))}?mode=ro", uri=True)) as connection:
             yield connection.cursor()
     except (sqlite3.DatabaseError, TypeError) as reason:
         raise PkmError(f"{path}: is not the table of a study: {reason}") from reason
@@ -120,3 +128,9 @@ def told_of(path):
     """What the study is about: family, question, columns, version."""
     with reading(path) as cursor:
         return json.loads(cursor.execute("SELECT told FROM study").fetchone()[0])
+
+
+def count_of(path):
+    """How many designs the study has."""
+    with reading(path) as cursor:
+        return cursor.execute("SELECT COUNT(*) FROM designs").fetchone()[0]
