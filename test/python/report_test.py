@@ -104,7 +104,8 @@ class Report(CommandTest):
         page = self.folder / "page.html"
         for words, keywords, told in ((given, {"keep_out": zones}, "keep out sphere 0 0 0 0.1 sphere 1 1 1 0.1"),
                                       (["--search-box", *"-0.1 0.1 -0.1 0.1 0 0".split()],
-                                       {"search_box": [-0.1, 0.1, -0.1, 0.1, 0, 0]}, "with the search box that was asked")):
+                                       {"search_box": [-0.1, 0.1, -0.1, 0.1, 0, 0]},
+                                       "with the search box that was asked")):
             process = self.command(ORTHOGLIDE, "--accuracy", 0.01, *words, "--output", page)
             self.assertEqual(process.returncode, 0, process.stderr)
             text, rows = self.read()

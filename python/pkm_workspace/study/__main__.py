@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pkm study FILE: a table of many designs, from a file of YAML (docs/study.md)."""
 
+import collections
 import sys
 import time
 
@@ -47,6 +48,9 @@ def main():
                             progress=None if given.quiet else Progress())
         print(f"{written} of {len(wanted['designs'])} designs evaluated in {time.monotonic() - begin:.1f} s, the "
               f"others were there: {wanted['table']}")
+        names, rows = study.read(wanted["table"])
+        counts = collections.Counter(row[names.index("status")] for row in rows)
+        print(", ".join(f"{status} {count}" for status, count in sorted(counts.items())))
         for file in given.export:
             print(f"{study.export(wanted['table'], file)} rows in {file}")
     except PkmError as reason:
