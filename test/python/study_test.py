@@ -152,11 +152,18 @@ class Files(StudyTest):
         self.assertEqual(untimed(self.table)[1], self.expected())
 
     def test_refusals(self):
+        delta = "family: {machine: delta}\n"
         for text, said in (("designs: []", "'family' is missing"), ("family: {machine: delta}", "'designs' is missing"),
                            ("nonsense: 1", "'nonsense' is not known; allowed"), ("[", "is not YAML"),
                            ("family: {mix: [a]}\ndesigns: []", "two URDFs are mixed"),
-                           ("family: {machine: delta}\ndesigns: {grid: {crank: {from: 1}}}", "'to' is missing"),
-                           ("family: {machine: delta}\ndesigns: {sample: {crank: [0, 1]}}", "'count' is missing"),
+                           (delta + "designs: {grid: {crank: {from: 1}}}", "'to' is missing"),
+                           (delta + "designs: {sample: {crank: [0, 1]}}", "'count' is missing"),
+                           (delta + "designs: [{crank: 1}]\nvolumes: yes", "volumes: names and values"),
+                           (delta + "designs: [{crank: 1}]\nquestion: {table: 2}", "'table' is not known"),
+                           (delta + "designs: {grid: {}}", "have no parameters"),
+                           (delta + "designs: {sample: {count: 3}}", "have no parameters"),
+                           (delta + "designs: {grid: {crank: {from: 1, to: abc, count: 2}}}", "two numbers"),
+                           (delta + "designs: {sample: {count: 2, crank: [0, abc]}}", "two numbers"),
                            ("family: {function: family.py:nobody}\ndesigns: [{a: 1}]", "cannot be loaded")):
             ended = self.command(self.file("bad.yaml", text))
             self.assertEqual(ended.returncode, 2, text)

@@ -3,6 +3,7 @@
 
 import pathlib
 
+from pkm_workspace.core import keywords_of
 from pkm_workspace.errors import PkmError
 from pkm_workspace.study import designs as ways
 from pkm_workspace.study.families import Catalogue, Files, Function, Mixture
@@ -87,9 +88,10 @@ def read_study(path):
     try:
         text = path.read_text(encoding="utf-8")
         told = part(path, yaml.safe_load(text), KEYS, ("family", "designs"))
+        question = part("question", told.get("question") or {}, set(keywords_of("largest")))
+        more = {name: part(name, told[name], None) for name in ("volumes", "guarantees") if told.get(name) is not None}
         return {"family": family_of(told["family"], path.resolve().parent), "designs": designs_of(told["designs"]),
-                "table": told.get("table") or path.with_suffix(".sqlite"), "volumes": told.get("volumes"),
-                "guarantees": told.get("guarantees"), **part("question", told.get("question") or {}, None)}
+                "table": str(told.get("table") or path.with_suffix(".sqlite")), **more, **question}
     except OSError as reason:
         raise PkmError(f"{path}: cannot be read: {reason.strerror}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as reason:
