@@ -7,10 +7,9 @@ import random
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
-from study_support import PKM, StudyTest, count_of, untimed
+from study_support import StudyTest, count_of, untimed
 
 SEED = 1910
 MOMENTS = 10
@@ -29,11 +28,10 @@ class Deaths(StudyTest):
         self.assertEqual(rows[-1][2:4], ("lost", "3 workers died of it"))
 
     def test_killed_at_any_moment_it_goes_on(self):
-        moments, file, count = random.Random(SEED), self.study(count=1000), 0
+        moments, file, count = random.Random(SEED), self.study("tells", count=1000), 0
         for moment in sorted(moments.randrange(1000) for _ in range(MOMENTS)):
-            program = subprocess.Popen([PKM, "study", file, "--quiet"], stdout=subprocess.PIPE)
-            while program.poll() is None and count_of(self.table) < moment:
-                time.sleep(0.002)
+            program = self.begin(file)
+            self.wait_for_designs(program, moment - count)
             program.kill()
             program.communicate()
             self.assertGreaterEqual(count_of(self.table), count)
@@ -42,10 +40,9 @@ class Deaths(StudyTest):
         self.assertEqual(untimed(self.table)[1], self.expected(1000))
 
     def test_interrupted_it_goes_on(self):
-        file = self.study(count=1000)
-        program = subprocess.Popen([PKM, "study", file, "--quiet"], stderr=subprocess.PIPE, text=True)
-        while program.poll() is None and count_of(self.table) < 100:
-            time.sleep(0.002)
+        file = self.study("tells", count=1000)
+        program = self.begin(file)
+        self.wait_for_designs(program, 100)
         program.send_signal(signal.SIGINT)
         self.assertIn("goes on from here", program.communicate()[1])
         self.assertEqual(program.returncode, 130)
@@ -70,13 +67,12 @@ class Deaths(StudyTest):
             self.skipTest("distributed is missing")
         self.finished(self.study(count=400, table="local.sqlite"))
         with Cluster(self.folder, 2) as cluster:
-            program = subprocess.Popen([PKM, "study", self.study(count=400), "--quiet", "--scheduler", cluster.address],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-            while program.poll() is None and count_of(self.table) < 200:
-                time.sleep(0.01)
+            program = self.begin(self.study("tells", count=400), "--scheduler", cluster.address)
+            self.wait_for_designs(program, 200)
             self.assertIsNone(program.poll())
             cluster.workers[0].kill()
-            self.assertEqual(program.wait(), 0, program.communicate()[1])
+            said, reason = program.communicate()
+            self.assertEqual(program.returncode, 0, said + reason)
         self.assertEqual(untimed(self.table), untimed(self.folder / "local.sqlite"))
 
 
@@ -96,10 +92,8 @@ class Cluster:
         file = self.folder / "scheduler.json"
         self.scheduler = self.start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
                                     "--scheduler-file", str(file))
-        while not file.exists() and self.scheduler.poll() is None:
-            time.sleep(0.05)
         from distributed import Client
-        with Client(scheduler_file=str(file)) as client:
+        with Client(scheduler_file=str(file)) as client:  # waits for the file
             self.address = client.scheduler.address
             self.workers = [self.start("dask_worker", self.address, "--nthreads", "1", self.nanny, "--no-dashboard")
                             for _ in range(self.count)]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of studies share: a study in a file, families that live and die, what its table has to be."""
 
+import os
+import select
 import sqlite3
 import subprocess
 import warnings
@@ -42,6 +44,11 @@ def logs(difference):
         file.write("x")
     return plain(difference)
 
+def tells(difference):
+    with open({told!r}, "w") as pipe:
+        pipe.write("x")
+    return plain(difference)
+
 def loud(difference):
     print("a family may print")
     return plain(difference)
@@ -70,10 +77,27 @@ class StudyTest(CommandTest):
         super().setUp()
         warnings.simplefilter("ignore", core.PkmWarning)
         self.table = self.folder / "table.sqlite"
-        self.file("family.py", FAMILY.format(marker=str(self.folder / "marker")))
+        self.pipe = str(self.folder / "pipe")
+        self.file("family.py", FAMILY.format(marker=str(self.folder / "marker"), told=self.pipe))
 
     def study(self, function="plain", count=60, table="table.sqlite"):
         return self.file(f"{function}.yaml", STUDY.format(function=function, count=count, table=self.folder / table))
+
+    def begin(self, *words):
+        """Starts a study of the family that tells of each design; its pipe never ends, and holds them all."""
+        if not os.path.exists(self.pipe):
+            os.mkfifo(self.pipe)
+            self.told = os.open(self.pipe, os.O_RDWR | os.O_NONBLOCK)
+            self.addCleanup(os.close, self.told)
+        while select.select([self.told], [], [], 0)[0]:
+            os.read(self.told, 4096)  # of workers that outlived their study
+        return subprocess.Popen([PKM, "study", *map(str, words), "--quiet"], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True)
+
+    def wait_for_designs(self, program, count):
+        """Until so many have been begun, or the program says that it has ended."""
+        while count > 0 and self.told in select.select([self.told, program.stdout], [], [])[0]:
+            count -= len(os.read(self.told, count))
 
     def command(self, *words):
         return subprocess.run([PKM, "study", *map(str, words)], capture_output=True, text=True)
