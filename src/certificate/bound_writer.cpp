@@ -19,12 +19,19 @@ int powerOf(ConditionKind kind)
                                                                                     : 2;
 }
 
+/// What bad points violate: along parallel rails a point stands for all others, which joint limits tell apart.
+Criterion badAllAlongRails(const Machine& machine, Criterion criterion)
+{
+  criterion.joint_limits = criterion.joint_limits && !machine.hasParallelRails();
+  return criterion;
+}
+
 /// Writes the reasons of a search down.
 class BoundWriter
 {
 public:
   BoundWriter(const Machine& machine, const RegionQuery& query, const SearchRecord& record)
-    : test_(machine, query.criterion, query.precision)
+    : test_(machine, badAllAlongRails(machine, query.criterion), query.precision)
     , query_(query)
     , record_(record)
     , length_(machine.scale())

@@ -84,11 +84,9 @@ Verification verifyCertificate(const std::string& text, const VerificationProgre
   const Json json = parsed(text, is_twofold);
   if (json.is_discarded())
     throw std::invalid_argument("not a certificate, which is a JSON object: pkm largest --certificate FILE writes one");
+  if (is_twofold)
+    return { {}, "a member that is there twice" };
   Verification result;
-  if (is_twofold)
-    result.refused = "a member that is there twice";
-  if (is_twofold)
-    return result;
   try
   {
     verify(json, progress, result);

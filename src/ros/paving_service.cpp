@@ -95,9 +95,8 @@ Workspace PavingService::compute(PavingQuestion question, const StopFlag& stop)
   }
   const Paving& paving = report->paving;
   Workspace workspace = toMessage(question, *report, ros::Time::now());
-  if (question.certificate->given() && !*stop)
-    saveCertificate(*question.certificate, workspace, *question.in.machine, question.query.criterion, paving,
-                    question.query.budget.max_memory);
+  saveCertificate(*question.certificate, *stop, workspace, *question.in.machine, question.query.criterion, paving,
+                  question.query.budget.max_memory);
   if (!question.connect.empty())
     addConnection(question, *report, workspace);
   const std::string effort =

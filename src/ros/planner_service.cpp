@@ -114,9 +114,8 @@ void PlannerService::checkRegion(const CheckRegion::Request& request, CheckRegio
   if (result.bad_point)
     response.bad_point = toMessage(*result.bad_point);
   response.message = describe(result, *evaluator, *solid.shape, center, solid.size, budget);
-  if (certificate->given())
-    saveCertificate(*certificate, response, evaluator->machine(), evaluator->criterion(), result.verdict, solid,
-                    center);
+  saveCertificate(*certificate, false, response, evaluator->machine(), evaluator->criterion(), result.verdict, solid,
+                  center);
 }
 
 void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Response& response)
@@ -144,9 +143,8 @@ void PlannerService::checkPath(const CheckPath::Request& request, CheckPath::Res
   task.place = [](std::size_t segment) { return "segment " + std::to_string(segment); };
   const PathReport report = pkm_workspace::checkPath(*evaluator, task);
   fill(report, evaluator->machine(), response);
-  if (certificate->given())
-    saveCertificate(*certificate, response, evaluator->machine(), evaluator->criterion(), report.result.verdict, path,
-                    task.rates.isHeld());
+  saveCertificate(*certificate, false, response, evaluator->machine(), evaluator->criterion(), report.result.verdict,
+                  path, task.rates.isHeld());
 }
 
 void PlannerService::checkGcode(const CheckGcode::Request& request, CheckGcode::Response& response)

@@ -114,8 +114,8 @@ RegionService::RegionConstPtr RegionService::compute(RegionQuestion question, co
   context_.health.noteComputation({ describe(question.query), summary(answer), answer.region.seconds, stopped });
 
   Region message = toMessage(answer, ros::Time::now());
-  if (question.certificate && question.certificate->given() && !*stop)
-    saveCertificate(*question.certificate, message, *question.in.machine, question.query, answer.region);
+  if (question.certificate)
+    saveCertificate(*question.certificate, *stop, message, *question.in.machine, question.query, answer.region);
   const auto region = std::make_shared<const Region>(message);
   if (!*stop)
     keep(question, region);

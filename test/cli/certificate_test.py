@@ -12,7 +12,7 @@ import unittest
 from alterations import altered
 from checkers import by_pkm, by_python, check_certificate
 from crooked import crooked
-from pkm import ORTHOGLIDE, PKM, URANESX, URDF, CommandTest, run
+from pkm import DATA, ORTHOGLIDE, PKM, URANESX, URDF, CommandTest, run
 
 SEED = 20261128
 ALTERED = 12 * int(os.environ.get("PKM_WORKSPACE_TEST_CASES", 1))
@@ -49,6 +49,8 @@ class Certificate(CommandTest):
     def test_both_checkers_hold_every_kind_of_search_to_its_bracket(self):
         urdf = self.folder / "crooked.urdf"
         urdf.write_text(crooked(random.Random(SEED)))
+        printer = self.folder / "printer.urdf"  # whose bad points violate joint limits most
+        self.text("import", DATA / "firmware" / "klipper.cfg", "--output", printer)
         for words in (("--urdf", ORTHOGLIDE, "--accuracy", 1e-4),
                       ("--urdf", ORTHOGLIDE, "--aspect", "other", "--accuracy", 1e-3),
                       ("--urdf", ORTHOGLIDE, "--shape", "sphere", "--accuracy", 1e-3),
@@ -65,6 +67,7 @@ class Certificate(CommandTest):
                       ("--urdf", urdf, "--accuracy", 1e-3),
                       ("--urdf", URDF / "tripod.urdf", "--joint-limits", "on", "--accuracy", 1e-3),
                       ("--urdf", URDF / "mixed_legs.urdf", "--joint-limits", "on", "--accuracy", 1e-2),
+                      ("--urdf", printer, "--psi", "auto", "--shape", "cylinder", "--ratio", 0.8, 0.8),
                       ("--urdf", URDF / "delta.urdf", "--accuracy", 0.05)):
             with self.subTest(words=words):
                 answer, data, path = self.write(*words)

@@ -7,8 +7,8 @@
     report.comparison([pkm.Machine("a.urdf"), pkm.Machine("b.urdf")], "comparison.html")
     report.study("designs.sqlite", "designs.html")
 
-Keywords are conditions, tolerances and so on by the names that pkm_workspace.largest() has for them. All numbers of
-tables are certified brackets, rounded outward; pictures are drawn from floating point.
+Keywords are conditions, tolerances and so on by the names that pkm_workspace.largest() has for them. Brackets in
+tables are certified and rounded outward; pictures are drawn from floating point.
 """
 
 from pkm_workspace.report.comparison import comparison

@@ -5,7 +5,7 @@ from pkm_workspace import core
 from pkm_workspace.errors import PkmError
 from pkm_workspace.report import plots
 from pkm_workspace.report.machine import meaning, said
-from pkm_workspace.report.numbers import bracket, number
+from pkm_workspace.report.numbers import bracket, number, rounded_up
 from pkm_workspace.report.page import Page
 
 
@@ -30,7 +30,7 @@ def comparison(machines, path, *, shape="cube", **criterion):
     page.section("Strokes")
     page.text("Ranges that hold the region, all of the longest stroke of their machine.")
     page.table(["machine", "joint", "range", "stroke"],
-               [[name, joint.joint, bracket(joint.lower, joint.upper), number(joint.upper - joint.lower)]
+               [[name, joint.joint, bracket(joint.lower, joint.upper), rounded_up(joint.upper - joint.lower)]
                 for name, answer in zip(names, answers) for joint in answer.joint_ranges or []])
     page.section("What these strokes allow")
     page.text("Brackets for each machine; scaled: as if the region had the size 1.", note=True)

@@ -10,7 +10,7 @@ from pkm_workspace import core
 from pkm_workspace.errors import PkmError
 from pkm_workspace.report import plots
 from pkm_workspace.report.body import outline_of, surface_of
-from pkm_workspace.report.numbers import bracket, in_words, number
+from pkm_workspace.report.numbers import bracket, in_words, number, rounded_up
 from pkm_workspace.report.page import Page
 
 SHAPES = (("cube", {}), ("sphere", {}), ("cylinder", {"ratio": [0.5, 0.5]}), ("square", {}))
@@ -96,7 +96,7 @@ def add_joints(page, machine, region):
     limits = limits_of(machine.urdf)
     page.table(["joint", "least", "largest", "stroke", "limits"],
                [[joint.joint, bracket(*joint.enclosures.lower, joint.unit), bracket(*joint.enclosures.upper, joint.unit),
-                 number(joint.stroke, joint.unit), " to ".join(f"{x:g}" for x in limits.get(joint.joint, ()))]
+                 f"{rounded_up(joint.stroke)} {joint.unit}", " to ".join(f"{x:g}" for x in limits.get(joint.joint, ()))]
                 for joint in region.joint_ranges])
     for unit in dict.fromkeys(joint.unit for joint in region.joint_ranges):
         page.figure(plots.ranges([(joint.joint, (joint.lower, joint.upper), limits.get(joint.joint))
@@ -136,7 +136,7 @@ def add_sections(page, machine, region, criterion):
         planes = [plane_of(machine, center, steps, axes, pick, region, criterion) for axes in ((0, 1), (0, 2), (1, 2))]
         page.figure(plots.sections(planes, [level for level in levels if level], f"{name} factor [1]"),
                     f"The {name} velocity transmission factor over the planes through the region's center, in floating "
-                    "point, at most three times its bound. Orange: its bound. White: the region. Nothing is drawn where the machine does not reach.",
+                    "point; values above three times psi_max have its color. Orange: the bound. White: the region. Nothing is drawn where the machine does not reach.",
                     is_wide=True)
 
 
